@@ -7,7 +7,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 mod support;
 
 use core::f64::consts::PI;
-use expline::fit::{Ask, Fit, Fitter, Options, fit};
+use expline::fit::{Ask, Fit, Fitter, Options, Parametrisation, Samples, fit, noise};
 use expline::numerics::Point;
 use support::curves::Random;
 
@@ -242,6 +242,185 @@ fn what_was_asked_before_changes_nothing_about_a_polygon() {
             let alone = alone.expect("found");
             assert_eq!(after.curve.points(), alone.curve.points(), "{name}, {ask:?}");
             assert_eq!(after.noise, alone.noise, "{name}, {ask:?}");
+        }
+    }
+}
+
+/// Teeth up and down by turns, and the way back below them.
+fn comb(teeth: i32) -> Vec<Point> {
+    let tooth = |i: i32| [[2 * i, 0], [2 * i, 2], [2 * i + 1, 2], [2 * i + 1, 0]];
+    let corners = (0..teeth).flat_map(tooth).chain([[2 * teeth - 1, -2], [0, -2]]);
+    corners.map(|[x, y]| Point::new(10.0 * f64::from(x), 10.0 * f64::from(y))).collect()
+}
+
+#[test]
+fn a_polygon_of_many_vertices_is_that_polygon() {
+    // With 64 vertices and more these were taken for noise: two knots, and 11 to 35 astray.
+    let shapes = [
+        ("star of 32", rays(&[100.0, 40.0], 64)),
+        ("star of 40", rays(&[100.0, 60.0], 80)),
+        ("wheel", rays(&[80.0, 80.0, 100.0, 100.0], 160)),
+        ("comb", comb(20)),
+    ];
+    for (name, polygon) in shapes {
+        for begin in [0, 1] {
+            let mut given = polygon.clone();
+            given.rotate_left(begin);
+            let found = fit(&given, Ask::Noise, &closed()).expect("it can be fitted");
+            // Two corners of the comb that go straight on are none.
+            let corners = given.len() - if name == "comb" { 2 } else { 0 };
+            let off = astray(&found, &given);
+            // A ten-thousandth of the drawing is worth no corner; the comb is 400 long.
+            assert!(off < 0.06, "{name} from point {begin}: {off} astray");
+            assert_eq!(found.curve.segment_count(), corners, "{name} from point {begin}");
+        }
+    }
+}
+
+#[test]
+fn the_edge_of_a_disc_on_a_grid_is_round() {
+    // Of its steps nearly all turn by right angles, left and right: by half a step from the circle, not a polygon.
+    for radius in [20, 33] {
+        let inside = |x: i32, y: i32| x * x + y * y < radius * radius;
+        // With the inside to the left of each step.
+        let (mut place, mut way, mut edge) = ([0, -radius + 1], [1, 0], Vec::new());
+        while edge.is_empty() || place != [0, -radius + 1] {
+            edge.push(Point::new(f64::from(place[0]), f64::from(place[1])));
+            place = [place[0] + way[0], place[1] + way[1]];
+            let cell = |across: i32| {
+                let along = [way[0] - across * way[1], way[1] + across * way[0]];
+                inside((2 * place[0] + along[0] - 1) / 2, (2 * place[1] + along[1] - 1) / 2)
+            };
+            way = match (cell(1), cell(-1)) {
+                (true, true) => [way[1], -way[0]],
+                (false, _) => [-way[1], way[0]],
+                _ => way,
+            };
+        }
+        assert!(edge.len() > 4 * radius as usize, "once round: {}", edge.len());
+        let found = fit(&edge, Ask::Noise, &closed()).expect("it can be fitted");
+        let knots = found.knots.len();
+        assert!(knots <= 12, "radius {radius}: {knots} knots for {} points", edge.len());
+        assert!(found.max_error < 1.5, "radius {radius}: {}", found.max_error);
+    }
+}
+
+#[test]
+fn a_polygon_is_followed_whatever_is_said_of_its_points() {
+    // With any of these options the sides were left by up to half of the drawing.
+    let shapes = ["plus", "H", "arrow", "star of 5"];
+    for (name, polygon, corners) in polygons().into_iter().filter(|(name, ..)| shapes.contains(name)) {
+        let count = polygon.len();
+        let plain = closed();
+        let times = (0..count).map(|i| 3.0 + 2.0 * i as f64 + 0.5 * (i % 3) as f64).collect();
+        let options = [
+            Options { weights: vec![1.0; count], ..plain.clone() },
+            Options { weights: (0..count).map(|i| 1.0 + (i % 3) as f64).collect(), ..plain.clone() },
+            Options { robust: true, ..plain.clone() },
+            Options { parameters: times, ..plain.clone() },
+            Options { parametrisation: Parametrisation::Index, ..plain.clone() },
+            Options { parametrisation: Parametrisation::Chord, ..plain.clone() },
+            Options { parametrisation: Parametrisation::Centripetal, ..plain.clone() },
+            Options { parametrisation: Parametrisation::ArcLength, ..plain },
+        ];
+        for (i, options) in options.iter().enumerate() {
+            for ask in [Ask::Noise, Ask::Tolerance(0.01)] {
+                let found = fit(&polygon, ask.clone(), options).expect("it can be fitted");
+                let off = astray(&found, &polygon);
+                assert!(off < 0.03, "{name}, option {i}, {ask:?}: {off} astray");
+                // Vertices that lie on a side may be knots where their parameters change the speed.
+                let pieces = found.curve.segment_count();
+                assert!(
+                    (corners..=count).contains(&pieces),
+                    "{name}, option {i}, {ask:?}: {pieces} for {corners}"
+                );
+                assert_eq!(found.parameters.len(), count, "{name}, option {i}: one place for each");
+                assert!(found.outliers.is_empty(), "{name}, option {i}: nothing is far off");
+            }
+        }
+    }
+}
+
+#[test]
+fn given_parameters_are_those_of_the_curve_along_sides_as_well() {
+    let (_, polygon, _) = polygons().into_iter().find(|(name, ..)| *name == "H").expect("it is there");
+    let parameters: Vec<f64> = (0..12).map(|i| 3.0 + 2.0 * f64::from(i) + 0.5 * f64::from(i % 3)).collect();
+    let options = Options { parameters: parameters.clone(), period: Some(40.0), ..closed() };
+    let found = fit(&polygon, Ask::Tolerance(0.01), &options).expect("it can be fitted");
+    let (start, end) = found.curve.domain();
+    // A step is cut into eight, and counts for eight on the way; rounding is all that this leaves.
+    assert!((end - start - 40.0).abs() < 1e-9, "one period: {}", end - start);
+    for k in 1..12 {
+        let way = (found.parameters[k] - found.parameters[0]).rem_euclid(40.0);
+        let given = parameters[k] - parameters[0];
+        // A curve within a hundredth may be as far from its vertex along a side of 20 and more.
+        assert!((way - given).abs() < 0.01, "vertex {k} at {way} for {given}");
+    }
+}
+
+#[test]
+fn sides_of_a_few_tolerances_are_followed() {
+    // Sides of ten: they were left by three to four tolerances.
+    let shapes = polygons().into_iter().filter(|(name, ..)| ["H", "plus", "star of 5"].contains(name));
+    for (name, polygon, _) in shapes {
+        let long = (polygon[1] - polygon[0]).norm();
+        let small: Vec<Point> = polygon.iter().map(|place| place * (10.0 / long)).collect();
+        for tolerance in [2.0, 3.0] {
+            let found = fit(&small, Ask::Tolerance(tolerance), &closed()).expect("it can be fitted");
+            let off = astray(&found, &small);
+            assert!(found.max_error <= tolerance, "{name}, {tolerance}: {}", found.max_error);
+            // Between points an eighth of a side apart a curve is freer than at them.
+            assert!(off < 1.5 * tolerance, "{name}, {tolerance}: {off} astray");
+        }
+    }
+}
+
+#[test]
+fn few_clean_points_of_a_curve_are_not_noisy() {
+    // What fourth differences leave of so coarse a curve was taken for noise: up to 1.9 astray, with corners.
+    for count in 12..=40 {
+        for begin in [0.0, 0.37] {
+            let at = |i: usize| 2.0 * PI * (i as f64 + begin) / count as f64;
+            let circle: Vec<Point> =
+                (0..count).map(|i| Point::new(100.0 * libm::cos(at(i)), 100.0 * libm::sin(at(i)))).collect();
+            let found = fit(&circle, Ask::Noise, &closed()).expect("it can be fitted");
+            let (start, end) = found.curve.domain();
+            let off = |i: usize| {
+                let place =
+                    found.curve.evaluate(start + (end - start) * i as f64 / 500.0, 0).expect("within");
+                (place.norm() - 100.0).abs()
+            };
+            let worst = (0..500).map(off).fold(0.0, f64::max);
+            // Noise of a thousandth of the drawing, .2, is allowed for, and twice that is as far as a point may be.
+            assert!(worst < 0.4, "{count} points from {begin}: {worst} from the circle");
+            assert!(found.noise <= 0.2 + 1e-9, "{count} points: {}", found.noise);
+            let corners = found.knots.iter().filter(|knot| knot.degree == 1).count();
+            assert_eq!(corners, 0, "{count} points from {begin}");
+        }
+    }
+}
+
+#[test]
+fn the_noise_of_few_points_is_still_told() {
+    // Sixth and eighth differences of white noise say the same as fourth ones: the median over a hundred lists tells how much less
+    // the least of the three is.
+    for count in [12, 20, 40, 60] {
+        for closed in [true, false] {
+            let turn = if closed { 2.0 * PI } else { 3.0 };
+            let clean: Vec<Point> = (0..count)
+                .map(|i| turn * f64::from(i) / f64::from(count))
+                .map(|angle| Point::new(100.0 * libm::cos(angle), 60.0 * libm::sin(angle)))
+                .collect();
+            let level = |seed: u64| {
+                let given = Random::new(seed).noisy(&clean, 4.0);
+                let samples = Samples::new(&given, Some(closed), false).expect("they are points");
+                noise(&samples) * samples.scale
+            };
+            let mut levels: Vec<f64> = (0..100).map(level).collect();
+            levels.sort_by(f64::total_cmp);
+            // A median of a dozen sizes is within a third of what many would say, mostly.
+            assert!((3.0..5.0).contains(&levels[50]), "{count} points, closed {closed}: {}", levels[50]);
+            assert!(levels[5] > 1.0, "{count} points, closed {closed}: {}", levels[5]);
         }
     }
 }

@@ -134,7 +134,10 @@ impl Fitter {
         let keep = !options.parameters.is_empty()
             || !options.weights.is_empty()
             || options.parametrisation == Parametrisation::Index;
-        let samples = Samples::new(points, options.closed, keep)?;
+        let mut samples = Samples::new(points, options.closed, keep)?;
+        if !options.weights.is_empty() {
+            samples.weights.clone_from(&options.weights);
+        }
         let levels = options.noise.is_none().then(|| levels(&samples));
         let noise = match (options.noise, levels) {
             (Some(noise), _) => noise / samples.scale,

@@ -1,13 +1,23 @@
 //! How noisy points are, found from the points alone.
 
-use super::outline::{SHARP, cosine, steps};
+use super::outline::{MOST_CORNERED, SHARP, cosine, steps};
 use super::report::size_of;
 use super::samples::Samples;
 use crate::numerics::order::{median, sort_numbers};
 use crate::numerics::{Point, Vector};
 
-/// The fourth difference: what it leaves of a cubic is nothing, of white noise √70 times its size.
-const FOURTH: [f64; 5] = [1.0, -4.0, 6.0, -4.0, 1.0];
+/// Fourth, sixth and eighth differences, each from its middle on, and the sum of their squares: the fourth leaves nothing of a cubic, and of
+/// white noise √70 times its size.
+const DIFFERENCES: [(&[f64], f64); 3] = [
+    (&[6.0, -4.0, 1.0], 70.0),
+    (&[20.0, -15.0, 6.0, -1.0], 924.0),
+    (&[70.0, -56.0, 28.0, -8.0, 1.0], 12870.0),
+];
+/// Where higher differences find such a part of the noise that lower ones do, those saw the shape: of white noise all find the same, this
+/// much less in one of a hundred lists of a dozen points.
+const LESS: f64 = 0.5;
+/// What is such a part of the drawing may be noise all the same: nearer to few points a curve has to bend for each of them.
+const FAINT: f64 = 1e-3;
 /// The median of |N(0, 1)|.
 const MEDIAN: f64 = 0.674_489_750_196_081_7;
 /// Half the length of the chord that tells which way is across.
@@ -43,15 +53,18 @@ const VERTICES: usize = 64;
 const SHAPELESS: f64 = 0.14;
 /// Cosines that are no farther apart are of one angle.
 const EQUAL: f64 = 1e-6;
+/// Of many points that are no slope on a grid one in so many turns sharply as the one before it did.
+const ONWARD: usize = 3;
 /// So many places tell a median to half a per cent: of more points, evenly chosen ones are looked at.
 const ENOUGH: usize = 20_000;
 
 /// The standard deviation of the noise across the curve, in the unit of the samples, from the median size of fourth
-/// differences: corners and outliers are too few to move a median.
+/// differences: corners and outliers are too few to move a median. Of fewer than 64 points sixth and eighth ones are looked at as well, for
+/// a curve may bend much from one to the next.
 ///
-/// Clean points give a number far below their spacing. Fewer than nine points give 0, and so do the vertices of a polygon:
-/// fewer than 64 points where half turn by one angle of more than 50°, or, on a closed curve, that would be off by a seventh of
-/// their box. O(M log M).
+/// Clean points give a number far below their spacing. Fewer than nine points give 0, and so do the vertices of a polygon: where half
+/// of at most 500 turn by one angle of more than 50° (from 64 on, where that is no staircase), and fewer than 64 points of a
+/// closed curve that would be off by a seventh of their box. O(M log M).
 ///
 /// # Accuracy
 ///
@@ -140,36 +153,59 @@ fn over(samples: &Samples, stretch: usize) -> f64 {
 pub(super) fn levels(samples: &Samples) -> [f64; 2] {
     let points = &samples.points;
     let count = points.len();
-    if count < LEAST || (count < VERTICES && turn_alike(samples)) {
+    if count < LEAST || (count <= MOST_CORNERED && turn_alike(samples)) {
         return [0.0; 2];
     }
-    let centers = if samples.closed { 0..count } else { 2..count - 2 };
-    let sizes: Vec<[f64; 2]> =
-        centers.step_by(count.div_ceil(ENOUGH)).map(|m| parts(points, samples.closed, m)).collect();
-    let levels = [0, 1].map(|part| {
-        let mut sizes: Vec<f64> = sizes.iter().map(|size| size[part]).collect();
-        let median = median(&mut sizes);
-        // 70 is the sum of the squared weights.
-        median / (MEDIAN * 70.0_f64.sqrt())
-    });
+    let mut levels = levels_by(samples, DIFFERENCES[0]);
+    if count < VERTICES {
+        for higher in &DIFFERENCES[1..] {
+            let finer = levels_by(samples, *higher);
+            if finer[0] >= LESS * levels[0] {
+                break;
+            }
+            let faint = FAINT * size_of(points);
+            levels = [0, 1].map(|part| finer[part].max(levels[part].min(faint)));
+        }
+    }
     let shapeless = samples.closed && count < VERTICES && levels[0] > SHAPELESS * size_of(points);
     if shapeless { [0.0; 2] } else { levels }
 }
 
-/// Whether at half of the points the way turns sharply by the same angle: that is drawn, and no noise.
-fn turn_alike(samples: &Samples) -> bool {
-    let steps = steps(samples);
-    let count = steps.len() - usize::from(!samples.closed);
-    let mut turns: Vec<f64> = (0..count).map(|m| cosine(steps[m], steps[(m + 1) % steps.len()])).collect();
-    sort_numbers(&mut turns);
-    turns.windows(count.div_ceil(2)).any(|alike| {
-        let (least, largest) = (alike[0], alike[alike.len() - 1]);
-        largest - least < EQUAL && largest < SHARP
+/// What differences of one order find.
+fn levels_by(samples: &Samples, (weights, squares): (&[f64], f64)) -> [f64; 2] {
+    let (points, count, reach) = (&samples.points, samples.points.len(), weights.len() - 1);
+    let centers = if samples.closed { 0..count } else { reach..count - reach };
+    let sizes: Vec<[f64; 2]> =
+        centers.step_by(count.div_ceil(ENOUGH)).map(|m| parts(points, samples.closed, m, weights)).collect();
+    [0, 1].map(|part| {
+        let mut sizes: Vec<f64> = sizes.iter().map(|size| size[part]).collect();
+        median(&mut sizes) / (MEDIAN * squares.sqrt())
     })
 }
 
-/// The size of the fourth difference around point m, across the curve and along it.
-fn parts(points: &[Point], closed: bool, m: usize) -> [f64; 2] {
+/// Whether at half of the points the way turns sharply by the same angle: that is drawn, and no noise. Of many points the right angles of a
+/// staircase, left and right by turns, are a slope on a grid.
+fn turn_alike(samples: &Samples) -> bool {
+    let steps = steps(samples);
+    let count = steps.len() - usize::from(!samples.closed);
+    let turn = |m: usize| {
+        let (before, after) = (steps[m], steps[(m + 1) % steps.len()]);
+        (cosine(before, after), cross(before, after) > 0.0)
+    };
+    let turns: Vec<(f64, bool)> = (0..count).map(turn).collect();
+    let is_onward = |pair: &&[(f64, bool)]| pair.iter().all(|turn| turn.0 < SHARP) && pair[0].1 == pair[1].1;
+    let stairs =
+        samples.points.len() >= VERTICES && ONWARD * turns.windows(2).filter(is_onward).count() < count;
+    let most = if stairs { -EQUAL } else { SHARP };
+    let mut cosines: Vec<f64> = turns.iter().map(|turn| turn.0).collect();
+    sort_numbers(&mut cosines);
+    cosines
+        .windows(count.div_ceil(2))
+        .any(|alike| alike[alike.len() - 1] - alike[0] < EQUAL && alike[alike.len() - 1] < most)
+}
+
+/// The size of a difference around point m, across the curve and along it.
+fn parts(points: &[Point], closed: bool, m: usize, weights: &[f64]) -> [f64; 2] {
     let count = points.len();
     let at = |steps: usize, back: bool| {
         let i = match (closed, back) {
@@ -182,9 +218,9 @@ fn parts(points: &[Point], closed: bool, m: usize) -> [f64; 2] {
         };
         points[i]
     };
-    let mut difference = FOURTH[2] * points[m];
-    for (i, weight) in [(1, FOURTH[1]), (2, FOURTH[0])] {
-        difference += (at(i, true) + at(i, false)) * weight;
+    let mut difference = weights[0] * points[m];
+    for (i, weight) in weights.iter().enumerate().skip(1) {
+        difference += (at(i, true) + at(i, false)) * *weight;
     }
     let chord = at(REACH, false) - at(REACH, true);
     let length = chord.norm();

@@ -8,8 +8,9 @@ use crate::limits::{LARGEST_COORDINATE, LARGEST_WEIGHT, LEAST_WEIGHT, check};
 /// What the fit is asked for.
 ///
 /// But for λ and a mean square, the curve also keeps to long straight sides of which the points are only the ends: where a step is more
-/// than four times as long as most of the twelve around it, further points are put on it, unless parameters or weights are given or
-/// [`Options::robust`] is set. Distances are those of the given points.
+/// than four times as long as most of the twelve around it, further points are put on it. For a smoothing that is so unless parameters, a
+/// parametrisation or weights are given or [`Options::robust`] is set; with that, none are put where points are far off all others.
+/// Distances are those of the given points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Ask {
     /// The minimiser of the sum of squares and λ times the jumps, one λ per degree, in the unit of the points.

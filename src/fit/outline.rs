@@ -24,7 +24,7 @@ const STRAIGHT: f64 = 1.0 - 1e-12;
 /// A search needs so many pieces of a side between corners to see that they are corners.
 const PIECES: usize = 8;
 /// Of so many points corners are looked for.
-const MOST_CORNERED: usize = 500;
+pub(super) const MOST_CORNERED: usize = 500;
 
 /// Samples with points along their sides as well.
 pub(super) struct Outline {
@@ -62,12 +62,31 @@ pub(super) fn filled(samples: &Samples, noise: f64, off: Option<f64>) -> Result<
         own.push(points.len() as u32);
         points.push(samples.points[m]);
         weights.push(samples.weights[m]);
+        // A side counts for as much as the lesser one of its ends.
+        let weight = samples.weights[m].min(samples.weights[(m + 1) % count]);
         for k in 1..pieces.get(m).map_or(1, |pieces| most.min(*pieces)) {
             points.push(samples.points[m] + steps[m] * (k as f64 / most.min(pieces[m]) as f64));
-            weights.push(1.0);
+            weights.push(weight);
         }
     }
     Ok(Some(Outline { samples: Samples { points, weights, ..samples.clone() }, own, cornered }))
+}
+
+/// Parameters, evenly from each point to the next, where others were put between those with these numbers; the last side of a closed
+/// outline ends at `end`. One step is 1 again on average: answers how many times as many of them there are.
+pub(super) fn between(parameters: &mut Vec<f64>, end: &mut f64, own: &[u32], count: usize) -> f64 {
+    let last = own.len() - 1;
+    let more = count as f64 / own.len() as f64;
+    *end *= more;
+    let mut spread = Vec::with_capacity(count);
+    for (m, from) in own.iter().enumerate() {
+        let to = own.get(m + 1).map_or(count, |to| *to as usize);
+        let ends = [parameters[m] * more, if m < last { parameters[m + 1] * more } else { *end }];
+        let steps = to - *from as usize;
+        spread.extend((0..steps).map(|k| ends[0] + (ends[1] - ends[0]) * (k as f64 / steps as f64)));
+    }
+    *parameters = spread;
+    more
 }
 
 /// The way from each point to the next.

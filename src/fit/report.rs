@@ -72,12 +72,10 @@ pub(super) fn fit(
 ) -> Result<Fit> {
     let samples = frame.samples;
     let given;
-    let located = if frame.robust {
+    let located = if frame.robust || !frame.own.is_empty() {
+        let own = if frame.own.is_empty() { located.copied()? } else { only(located, frame.own) };
         // What is far off was pulled near; the distances are those of the points as they came.
-        given = Located { points: samples.points.clone(), ..located.clone() };
-        &given
-    } else if !frame.own.is_empty() {
-        given = only(located, frame.own);
+        given = Located { points: samples.points.clone(), ..own };
         &given
     } else {
         located

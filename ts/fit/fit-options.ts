@@ -16,14 +16,14 @@ export interface FitProgress {
  * certified optimum; a tolerance, and the noise, are a search for the fewest knots, which the options about the optimum do not concern.
  *
  * But for λ, the curve also keeps to long straight sides of which the points are only the ends, as in flattened outlines: where a step is more than
- * four times as long as most of the twelve around it, further points are put on it, unless `parameters`, `weights` or `robust` are given. Distances are
- * those of the given points.
+ * four times as long as most of the twelve around it, further points are put on it. For a smoothing that is so unless `parameters`, `weights` or
+ * `robust` are given; with `robust`, none are put where points are far off all others. Distances are those of the given points.
  *
  * A polygon by its vertices comes back as that polygon: with a tolerance, or without any strength on a closed curve, steps that turn by more than 50°
  * at both ends, and are long beside the tolerance or the noise, are sides as well where most are such (of up to 500 points, with `corners`).
  *
- * Fewer than nine points tell nothing about noise, nor do fewer than 64 where half turn by the same sharp angle, or that noise would have moved by a
- * seventh of a closed drawing: without any strength the curve goes through them.
+ * Fewer than nine points tell nothing about noise, nor do up to 500 where half turn by the same sharp angle (from 64 on, where they are no staircase),
+ * or fewer than 64 that noise would have moved by a seventh of a closed drawing: without any strength the curve goes through them.
  */
 export interface SparseFitStrength {
   /** The λ of the papers, in the unit of the data: one for each degree, so that a pair of them, as is the default, takes a pair. */

@@ -6,7 +6,7 @@ use crate::fit::knots::free_knots::Located;
 use crate::fit::knots::sparsest::Aim;
 use crate::fit::noise::{is_regular_at, is_steady, levels, sober};
 use crate::fit::options::{Ask, Options};
-use crate::fit::outline::{Outline, filled};
+use crate::fit::outline::{Outline, between, filled};
 use crate::fit::parametrise::{Parametrisation, given, parametrise};
 use crate::fit::report;
 use crate::fit::samples::Samples;
@@ -19,6 +19,8 @@ const ROUNDINGS: f64 = 256.0;
 const LEAST_NOISE: f64 = 1e-4;
 /// Noise moves few points farther than so many standard deviations.
 const WIDEST: f64 = 3.0;
+/// The part of a tolerance by which points may be off that are drawn.
+const DRAWN: f64 = 0.25;
 
 /// What points are given parameters for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +70,9 @@ impl Fitter {
             }
             Ask::Tolerance(tolerance) => {
                 check("tolerance", None, *tolerance, 0.0, LARGEST_COORDINATE)?;
-                self.locate(Purpose::Search(Some(tolerance / self.samples.scale)), &ask)?;
+                // Points without noise are off nowhere: a side that is longer than twice the tolerance is one.
+                let off = if self.is_untold() { DRAWN * tolerance } else { *tolerance };
+                self.locate(Purpose::Search(Some(off / self.samples.scale)), &ask)?;
                 // Nearer than coordinates are told apart nothing can be.
                 let place = self.samples.center.amax() / self.samples.scale;
                 let least = f64::EPSILON * (ROUNDINGS + place);
@@ -83,7 +87,7 @@ impl Fitter {
             }
             Ask::Noise => {
                 // Where nothing tells about the noise, the curve goes through the points.
-                let untold = self.levels == Some([0.0; 2]);
+                let untold = self.is_untold();
                 // An open list that goes up and down is noisy rather than drawn so.
                 let drawn = untold || self.samples.closed;
                 self.locate(Purpose::Search(drawn.then_some(WIDEST * self.noise)), &ask)?;
@@ -93,6 +97,11 @@ impl Fitter {
         }
         (self.ask, self.rounds) = (ask, 0);
         Ok(())
+    }
+
+    /// Whether nothing tells about the noise: points are few, or drawn.
+    fn is_untold(&self) -> bool {
+        self.levels == Some([0.0; 2])
     }
 
     /// What is less than a ten-thousandth of the drawing is not worth a knot: of its size without points that are far off all
@@ -128,46 +137,43 @@ impl Fitter {
             self.level = self.level.min(levels(samples)[0]);
         }
         let samples = outline.as_ref().map_or(&self.samples, |outline| &outline.samples);
-        let (weights, pulled) = self.weighed(samples);
+        let (weights, pulled) = self.weighed(samples, outline.is_some());
         // What is kept to all points, be it a tolerance, is kept to those that are far off as they came.
         let pulled = pulled.filter(|_| !matches!(ask, Ask::Tolerance(_) | Ask::MeanSquare(_)));
         let pulled = pulled.map(|points| Samples { points, ..samples.clone() });
         let samples = pulled.as_ref().unwrap_or(samples);
         let even = self.is_even(samples, outline.is_some(), purpose);
-        let (parameters, end, unit) = self.parameters(samples, even || purpose == Purpose::Papers)?;
+        let own = outline.as_ref().map_or(&[][..], |outline| &outline.own[..]);
+        let (parameters, end, unit) = self.parameters(samples, even || purpose == Purpose::Papers, own)?;
         self.located = Located { points: samples.points.clone(), parameters, weights };
-        self.own = outline.map(|outline| outline.own).unwrap_or_default();
+        self.own = own.to_vec();
         (self.even, self.end, self.unit) = (even, end, unit);
         self.located_for = Some(purpose);
         Ok(())
     }
 
-    /// The points with others along their sides, where there are such and nothing is said of each point.
+    /// The points with others along their sides, where there are such. The optimum for a smoothing is that of the points where something is
+    /// said of each of them, and to points that are far off no sides lead.
     fn outline(&self, purpose: Purpose) -> Result<Option<Outline>> {
-        let off = match purpose {
-            Purpose::Papers => return Ok(None),
-            Purpose::Optimum => None,
-            Purpose::Search(off) => off.filter(|_| self.options.corners),
-        };
-        let Options { parametrisation, robust, weights, parameters, .. } = &self.options;
+        let Options { parametrisation, robust, weights, parameters, corners, .. } = &self.options;
         let plain = *parametrisation == Parametrisation::Auto && !robust;
-        if plain && weights.is_empty() && parameters.is_empty() {
-            filled(&self.samples, self.noise, off)
-        } else {
-            Ok(None)
+        let off = match purpose {
+            Purpose::Optimum if plain && weights.is_empty() && parameters.is_empty() => None,
+            Purpose::Search(off) => off.filter(|_| *corners),
+            _ => return Ok(None),
+        };
+        let is_far = |weight: &f64| *weight < 1.0;
+        if *robust && sober(&self.samples, self.noise).0.iter().any(is_far) {
+            return Ok(None);
         }
+        filled(&self.samples, self.noise, off)
     }
 
-    /// The weight of each point, or none at all; where points that are far off are to count for little, also where those would count.
-    fn weighed(&self, samples: &Samples) -> (Vec<f64>, Option<Vec<Point>>) {
-        let given = if !self.options.weights.is_empty() {
-            self.options.weights.clone()
-        } else if samples.is_weighted() {
-            samples.weights.clone()
-        } else {
-            Vec::new()
-        };
-        if !self.options.robust {
+    /// The weight of each point, or none at all; where points that are far off are to count for little, also where those would count. None of
+    /// an outline is: its sharp corners would look so.
+    fn weighed(&self, samples: &Samples, is_outline: bool) -> (Vec<f64>, Option<Vec<Point>>) {
+        let given = if samples.is_weighted() { samples.weights.clone() } else { Vec::new() };
+        if !self.options.robust || is_outline {
             return (given, None);
         }
         let (sober, near) = sober(samples, self.level);
@@ -187,22 +193,27 @@ impl Fitter {
     }
 
     /// The parameters on [0, end], the end, and how much of the caller's one of them is.
-    fn parameters(&self, samples: &Samples, by_index: bool) -> Result<(Vec<f64>, f64, f64)> {
+    fn parameters(&self, samples: &Samples, by_index: bool, own: &[u32]) -> Result<(Vec<f64>, f64, f64)> {
         let options = &self.options;
-        let count = samples.points.len();
-        let (mut parameters, end, unit) = if options.parameters.is_empty() {
+        let chosen = options.parametrisation != Parametrisation::Auto;
+        let (mut parameters, mut end, mut unit) = if options.parameters.is_empty() {
             let kind = match options.parametrisation {
                 Parametrisation::Auto if by_index => Parametrisation::Index,
                 kind => kind,
             };
-            let (parameters, end) = parametrise(samples, kind, self.level);
+            let (parameters, end) =
+                parametrise(if chosen { &self.samples } else { samples }, kind, self.level);
             (parameters, end, 1.0)
         } else {
+            let count = self.samples.points.len();
             let (parameters, end) = given(&options.parameters, count, samples.closed, options.period)?;
             // Inside, one step is about 1.
             let unit = end / count as f64;
             (parameters.iter().map(|t| t / unit).collect(), end / unit, unit)
         };
+        if !own.is_empty() && (chosen || !options.parameters.is_empty()) {
+            unit /= between(&mut parameters, &mut end, own, samples.points.len());
+        }
         if samples.closed {
             // A last point as near to the first as rounding allows comes before it all the same.
             parameters.iter_mut().for_each(|t| *t = t.min(end.next_down()));
