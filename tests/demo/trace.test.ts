@@ -161,6 +161,28 @@ test("a picture that is pasted as text, as style sheets and a browser's tools ha
   assert.deepEqual(demo.complaints, []);
 });
 
+test("a ring that a browser draws around what is hardly darker than paper is two circles of two points, as on paper", async (t) => {
+  const demo = await open(t, "#/trace");
+  for (const inside of ["#fff", "#fefefe", "#f8f9fd", "#f0f0f0"]) {
+    const address = await demo.page.evaluate((fill) => {
+      const canvas = Object.assign(document.createElement("canvas"), { width: 640, height: 640 });
+      const context = canvas.getContext("2d");
+      if (context === null) return "";
+      context.fillStyle = "#fff";
+      context.fillRect(0, 0, 640, 640);
+      context.arc(320, 312, 200, 0, 2 * Math.PI);
+      Object.assign(context, { fillStyle: fill, strokeStyle: "#1b1f24", lineWidth: 4 });
+      context.fill();
+      context.stroke();
+      return canvas.toDataURL();
+    }, inside);
+    await bring(demo, "drop", `${inside}.png`, "image/png", [...Buffer.from(address.slice(address.indexOf(",") + 1), "base64")]);
+    await traced(demo, `${inside}.png`);
+    const { contours, segments } = await result(demo);
+    assert.deepEqual([contours, segments], [2, 4], inside);
+  }
+});
+
 test("an icon of 16 pixels is shown as large as other pictures", async (t) => {
   const demo = await open(t, "#/trace");
   for (const side of [400, 16]) {

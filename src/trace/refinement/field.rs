@@ -26,6 +26,9 @@ pub(super) const BEYOND: u32 = 1 << 31;
 /// The share of pixels beside outlines that are off their tone from which on a picture is not one of exact coverage.
 const ROUGH: f64 = 0.2;
 
+/// So many pixels side by side that are of one shade are of a tone of their own.
+const RUN: usize = 3;
+
 /// Tiles reach farther than this from contours of a blurred picture, in pixels: corners are twice as far from those.
 const BLURRED: f64 = 4.0;
 
@@ -90,6 +93,29 @@ impl Shading {
     }
 }
 
+/// Of the pixels that are nearly ink or nearly paper, the share that is neither, nor of one shade with others of their column and their row, as the
+/// inside of a shape is that is a little darker than paper.
+fn stain(pixels: &[f32]) -> f64 {
+    let (mut near, mut off) = (0_usize, 0_usize);
+    for tile in pixels.as_chunks().0 {
+        for (place, value) in tile.iter().enumerate() {
+            let from_tone = value.abs().min((1.0 - value).abs());
+            near += usize::from(from_tone < 0.08);
+            let stained = from_tone < 0.08 && from_tone > 0.003;
+            off += usize::from(stained && !(is_even(tile, place, 1) && is_even(tile, place, SIDE)));
+        }
+    }
+    off as f64 / near.max(1) as f64
+}
+
+/// Whether a pixel of a tile is one of a run of one shade, along its column or, in steps of a column, its row.
+fn is_even(tile: &[f32; AREA], place: usize, step: usize) -> bool {
+    let at = place / step % SIDE;
+    let line = place - at * step;
+    let same = |k: usize| tile[line + k * step] == tile[place];
+    (at.saturating_sub(RUN - 1)..=at.min(SIDE - RUN)).any(|first| (first..first + RUN).all(same))
+}
+
 impl Field {
     /// The tiles within `reach` pixels of the polylines; nothing covers them yet.
     pub(super) fn new<'a>(
@@ -151,13 +177,7 @@ impl Field {
             }
             rest.extend_from_slice(tile.as_flattened());
         }
-        let (mut near, mut off) = (0_usize, 0_usize);
-        for value in &rest {
-            let from_tone = value.abs().min((1.0 - value).abs());
-            near += usize::from(from_tone < 0.08);
-            off += usize::from(from_tone < 0.08 && from_tone > 0.003);
-        }
-        let stain = off as f64 / near.max(1) as f64;
+        let stain = stain(&rest);
         let extent = [gray.width() as f64, gray.height() as f64];
         let (near, blur, journal) = (Vec::new(), None, Journal::default());
         Ok(Self { across, down, extent, slots, places, near, rest, stain, blur, journal })
@@ -307,4 +327,27 @@ fn covered<'a>(rest: &'a mut [f32], blur: &'a mut Option<Blur>) -> &'a mut [f32]
 /// The pixels of a tile.
 fn tile(plane: &mut [f32], slot: usize) -> &mut [[f32; 4]] {
     plane[slot * AREA..(slot + 1) * AREA].as_chunks_mut().0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{AREA, SIDE, stain};
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    #[test]
+    fn what_is_of_one_shade_is_no_stain_however_near_to_paper_it_is() {
+        // The inside of a shape, one shade in 250 darker than paper, with paper on the other side.
+        let tile: Vec<f32> = (0..AREA).map(|place| if place < 3 * SIDE { 0.0 } else { 0.004 }).collect();
+        assert!(stain(&tile).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_compression_leaves_is_a_stain_where_it_is_of_one_shade_along_an_edge_as_well() {
+        let ripples = |place: usize| 0.004 * (1 + place % 3) as f32;
+        let across: Vec<f32> = (0..AREA).map(|place| ripples(place / SIDE)).collect();
+        let along: Vec<f32> = (0..AREA).map(ripples).collect();
+        assert!((stain(&across) - 1.0).abs() < 1e-12);
+        assert!((stain(&along) - 1.0).abs() < 1e-12);
+    }
 }
