@@ -10,6 +10,7 @@ use super::settings::LEAST_LAMBDA;
 use crate::error::Result;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_in_place;
+use crate::numerics::plane::{larger, smaller};
 
 /// What a knot brings into a new run.
 struct Seed {
@@ -158,6 +159,6 @@ fn pair(lambda: f64, pull: Vector, jump: Vector, mean: f64) -> Pair {
     let wish = mean * height / ((height - length) * (height + length));
     let square = dot(jump, jump);
     let reach = |times: f64| (square + (times * mean / height) * (times * mean / height)).sqrt();
-    let s = Lorentz::new(wish.clamp(reach(1.0), reach(20.0)), jump);
+    let s = Lorentz::new(smaller(larger(wish, reach(1.0)), reach(20.0)), jump);
     Pair { s, z: Lorentz::new(height, pull), lambda }
 }

@@ -11,6 +11,7 @@ use super::breaks::HIGHEST;
 use super::foot_points::Spline;
 use super::free_knots::{Located, in_order};
 use super::look::taylor;
+use crate::numerics::plane::{larger, smaller};
 
 /// Parts of a piece on which the length is a cubic of the parameter.
 const PARTS: usize = 8;
@@ -175,7 +176,7 @@ pub(super) fn by_length(spline: &Spline, located: &Located) -> Option<(Vec<f64>,
     let mut breaks = spline.space.breaks.clone();
     let (end, count, mut guess) = (breaks.end, located.points.len(), 0);
     if !breaks.closed {
-        let at = |m: usize| spread.parameter(m as f64, &mut guess).clamp(0.0, end);
+        let at = |m: usize| smaller(larger(spread.parameter(m as f64, &mut guess), 0.0), end);
         return Some(((0..count).map(at).collect(), breaks));
     }
     let start = spread.parameter(0.0, &mut guess);

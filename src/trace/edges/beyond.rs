@@ -5,7 +5,7 @@
 
 use crate::error::Result;
 use crate::limits::with_room;
-use crate::numerics::plane::{cross, dot, larger, norm};
+use crate::numerics::plane::{cross, dot, larger, norm, smaller};
 use crate::numerics::{Point, Vector};
 use crate::trace::picture::contour::Contour;
 use crate::trace::picture::gray::Gray;
@@ -178,7 +178,7 @@ impl Cut {
                     continue;
                 }
                 // Back to where the outermost centres of pixels are.
-                let over = |p: f64, most: f64, ahead: f64| (p - p.clamp(0.5, most - 0.5)) / ahead;
+                let over = |p: f64, most: f64, ahead: f64| (p - smaller(larger(p, 0.5), most - 0.5)) / ahead;
                 let back =
                     larger(larger(0.0, over(p.x, size.x, self.ahead.x)), over(p.y, size.y, self.ahead.y));
                 let entry = p - self.ahead * back;

@@ -126,7 +126,7 @@ impl Strokes {
         // Beside the best, where that is the vertex.
         let [left, right] = [b - APART * (b - a), b + APART * (c - b)];
         let beside = if vertex < b { vertex.min(left) } else { vertex.max(right) };
-        beside.clamp(a + APART * (b - a), c - APART * (c - b))
+        smaller(larger(beside, a + APART * (b - a)), c - APART * (c - b))
     }
 }
 

@@ -9,6 +9,7 @@ use crate::fit::knots::breaks::{Breaks, HIGHEST, Polynomial, Space, derivative};
 use crate::fit::knots::envelope::Envelope;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_numbers;
+use crate::numerics::plane::{larger, smaller};
 
 /// The step of differences of the dual curve.
 const STEP: f64 = 0.02;
@@ -20,7 +21,7 @@ fn places_at(problem: &Problem, knots: &[f64]) -> Vec<f64> {
         match problem.closed {
             true if t < problem.start => t + period,
             true if t >= problem.end => t - period,
-            _ => t.clamp(problem.start, problem.end),
+            _ => smaller(larger(t, problem.start), problem.end),
         }
     };
     knots.iter().flat_map(|&t| [inside(t - STEP), t, inside(t + STEP)]).collect()
@@ -223,7 +224,8 @@ impl Newton {
         matrix.factor();
         let mut steps = self.right.clone();
         matrix.solve(&mut steps);
-        let bounded = |(by, room): (&f64, &f64)| if by.is_finite() { by.clamp(-*room, *room) } else { 0.0 };
+        let bounded =
+            |(by, room): (&f64, &f64)| if by.is_finite() { smaller(larger(*by, -*room), *room) } else { 0.0 };
         steps[self.coefficients..].iter().zip(&self.room).map(bounded).collect()
     }
 }
