@@ -128,6 +128,9 @@ export interface Curve {
 
 /** Points in one block of a bulk call: 128 kB, which stay in the second cache; shorter copies wait for memory more often. */
 const BLOCK = 8192;
+/** Of so many points as take megabytes anyway, 2 MB at a time: long copies wait for memory less than the cache is worth. */
+const LONG = 2 ** 18;
+const LONG_BLOCK = 2 ** 17;
 /** Stands for "the kernel's default" where a tolerance is expected. */
 const BY_DEFAULT = 0;
 
@@ -226,10 +229,11 @@ export abstract class MeasuredCurve implements Curve {
     const each = data.dimension * (1 + both);
     const all = out === undefined ? new Float64Array(each * n) : output(op, out, each * n);
     const slot = data.resident(op);
+    const block = n < LONG ? BLOCK : LONG_BLOCK;
     for (let at = 0; at < each * n; ) {
       // As many as the kernel likes to make at a time.
       const first = at / each;
-      const numbers = data.door.call(op, (kernel) => kernel.sample(slot, n, first, Math.min(BLOCK, n - first), both));
+      const numbers = data.door.call(op, (kernel) => kernel.sample(slot, n, first, Math.min(block, n - first), both));
       all.set(data.door.peek(numbers), at);
       at += numbers;
     }
