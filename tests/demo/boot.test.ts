@@ -130,9 +130,18 @@ test("where a part of Import or Export cannot be loaded, that is what is said, a
   await demo.byId("import-text").fill("M0 0H9");
   assert.match(await said("import-apply"), /could not be loaded/);
   await demo.press("Escape");
+  // What the dialog itself waits for may come after that: it says nothing of what did not.
+  let release = (): void => undefined;
+  const held = new Promise<void>((resolve) => (release = resolve));
+  await demo.page.route(/\/compress-[^/]*\.js/u, async (route) => {
+    await held;
+    await route.continue();
+  });
   await demo.byId("btn-export").click();
   for (const id of ["export-svg", "export-png"]) {
     assert.match(await said(id), /could not be loaded/);
+    release();
+    await demo.idle();
     await demo.page.locator(".toast-error").getByRole("button", { name: "Dismiss" }).click();
   }
 });

@@ -1,7 +1,7 @@
 import type { ContractParts } from "./contract.ts";
 import type { Mode } from "./document/document.ts";
 import type { Editor } from "./editor/editor.ts";
-import { sayMissing, sayThere } from "./editor/loading.ts";
+import { askedFor, sayMissing } from "./editor/loading.ts";
 import type { Frame } from "./editor/frame.ts";
 import type { Panels } from "./panels/mount.ts";
 import type { Wait } from "./panels/stage/boot.ts";
@@ -34,10 +34,11 @@ export function loadModes(editor: Editor, loaders: Partial<Record<Mode, () => Pr
     const load = loaders[mode];
     if (load === undefined || asked.has(mode) || editor.state.value.engine.status !== "ready") return;
     coming.add(mode);
+    const sayThere = askedFor(editor);
     asked.set(mode, load().then(() => {
       // What is shown of the mode as soon as it is there is looked up again.
       editor.patch({ hint: "" });
-      sayThere(editor);
+      sayThere();
     }).catch((error: unknown) => {
       // The next visit tries again: a connection may have been lost for a moment.
       asked.delete(mode);

@@ -1,4 +1,4 @@
-import type { Editor, EditorState } from "./editor.ts";
+import type { Editor, EditorState, Notice } from "./editor.ts";
 import type { Tool } from "./tool.ts";
 
 /** Says that something is being loaded: the page is not idle before it is there. */
@@ -11,8 +11,9 @@ export function whileLoading<T>(editor: Editor, work: Promise<T>): Promise<T> {
 
 /** Does something with what is on its way; the page is not idle before it is done. */
 export function whenLoaded<T>(editor: Editor, coming: Promise<T>, run: (loaded: T) => unknown): void {
+  const sayThere = askedFor(editor);
   void whileLoading(editor, coming.then((loaded) => {
-    sayThere(editor);
+    sayThere();
     return run(loaded);
   }, (error: unknown) => sayMissing(editor, "This feature", error)));
 }
@@ -24,19 +25,26 @@ export interface OnDemand<T> {
   load(): Promise<T>;
 }
 
-/** Those whose users were told that something did not come. */
-const lacking = new WeakSet<Editor>();
+/** What users were told last of something that did not come. */
+const lacking = new WeakMap<Editor, Notice>();
 
 /** Says that something did not come. */
 export function sayMissing(editor: Editor, what: string, error: unknown): void {
   const text = error instanceof Error ? error.message : String(error);
-  lacking.add(editor);
-  editor.notify({ kind: "error", id: "part-missing", text: `${what} could not be loaded (${text}). Check the connection, then try again.` });
+  const notice: Notice = { kind: "error", id: "part-missing", text: `${what} could not be loaded (${text}). Check the connection, then try again.` };
+  lacking.set(editor, notice);
+  editor.notify(notice);
 }
 
-/** Something came: there is nothing more to be said of what did not. */
-export function sayThere(editor: Editor): void {
-  if (lacking.delete(editor)) editor.notify({ kind: "well", of: "part-missing" });
+/**
+ * To be called once what is asked for now has come: what had been said by now of something that did not is over then.
+ * What is said while it is on its way stands; that this came says nothing of it.
+ */
+export function askedFor(editor: Editor): () => void {
+  const said = lacking.get(editor);
+  return () => {
+    if (said === lacking.get(editor) && lacking.delete(editor)) editor.notify({ kind: "well", of: "part-missing" });
+  };
 }
 
 export function onDemand<T>(load: () => Promise<T>): OnDemand<T> {
@@ -66,9 +74,10 @@ export function late<T>(editor: Editor, wanted: (state: EditorState) => boolean,
     if (!wanted(state)) refused = false;
     else if (loaded === null && !coming && !refused) {
       coming = true;
+      const sayThere = askedFor(editor);
       void whileLoading(editor, load().then((it) => {
         [loaded, coming] = [it, false];
-        sayThere(editor);
+        sayThere();
         arrived(it);
       }, (error: unknown) => {
         [coming, refused] = [false, true];

@@ -1,7 +1,7 @@
 import type { Mode } from "../document/document.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
-import { whenLoaded } from "../editor/loading.ts";
+import { sayMissing, whenLoaded } from "../editor/loading.ts";
 import { mountEmptyCurve } from "./curve/empty-curve.ts";
 import { registerFileActions } from "./file-actions.ts";
 import { openSession } from "./files/session.ts";
@@ -54,11 +54,7 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   mountContextMenu(shell);
   retryStyles(editor, signal);
   // What is loaded when it is first asked for may be out of reach by then.
-  window.addEventListener(
-    "vite:preloadError",
-    () => shell.toasts.error("part-missing", "This part of the page could not be loaded. Check your connection and try again."),
-    { signal },
-  );
+  window.addEventListener("vite:preloadError", ({ payload }: Event & { payload?: unknown }) => sayMissing(editor, "This part of the page", payload), { signal });
   io.listenForIncoming({
     files: (files) => whenLoaded(editor, import("./files/file-work.ts"), ({ receiveFiles }) => receiveFiles(shell, files)),
     text: (text) => whenLoaded(editor, import("./files/file-work.ts"), ({ receiveText }) => receiveText(shell, text)),
