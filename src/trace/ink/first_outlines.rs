@@ -38,7 +38,7 @@ impl InkWork {
             };
             self.between = middles.is_some();
             if middles.is_none() && (self.strokes.is_some() || self.lifted) {
-                let full = if self.lifted { FULL } else { f64::INFINITY };
+                let full = if self.lifted && self.strokes.is_none() { FULL } else { f64::INFINITY };
                 move_inside(&mut contour.points, &self.gray, tones, (self.options.inverted, full));
             }
             return Ok(middles.map_or(Some(Kind::Covered), |middles| {

@@ -19,7 +19,8 @@ const NOISY: f64 = 3.0 / 255.0;
 const SOFT: f64 = 0.4;
 /// Contours of less area, in pixels, are noise in a noisy picture.
 const NOISY_SPECKLE: f64 = 6.0;
-/// Thin strokes are looked for where they would break in so many places: the tips of a star or two are as many.
+/// Thin strokes beside others are looked for where they would break in so many places: the tips of a star or two are as many. Where all is thin, one
+/// is enough.
 const THIN: usize = 12;
 /// In pictures of more pixels nobody sees a stroke of less than one, and outlines all over take all the memory that there is.
 const MOST_LIFTED: usize = 1 << 22;
@@ -38,7 +39,9 @@ impl InkWork {
                 self.strokes = Strokes::new(tones, self.options.inverted);
             }
             let small = self.gray.width() * self.gray.height() <= MOST_LIFTED;
-            if seen && small && self.options.blur.is_none() && thin >= THIN {
+            let is_dark = self.strokes.as_ref().is_none_or(Strokes::is_dark);
+            let least = if seen { THIN } else { 1 };
+            if is_dark && small && self.options.blur.is_none() && thin >= least {
                 self.lifting = Some(Lifting::new(self.gray.width(), &tones, self.options.inverted)?);
                 self.lifted = true;
             }

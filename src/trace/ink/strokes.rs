@@ -41,6 +41,9 @@ const INSIDE: f64 = 0.2;
 const NO_INK: f64 = 0.1;
 /// Contours are followed so far from paper to the darkest shade: half-way, strokes would break where they run between two rows of pixels.
 const LEVEL: f64 = 0.4;
+/// Strokes are lifted while their contours are looked for if the darkest shade is so far on the way from paper to the extreme one: where it is farther
+/// from that, the picture is soft or its ink gray, and nothing breaks.
+const DARK: f64 = 0.7;
 
 /// What outlines of lifted strokes have of the area of their contours, at least; where there is as much as that, others are as large as they are.
 const LIFTED: f64 = 0.45;
@@ -68,6 +71,14 @@ impl Strokes {
     pub(super) fn level(&self) -> f64 {
         let Tones { ink, paper, .. } = self.seen;
         if self.inverted { ink + LEVEL * (paper - ink) } else { paper - LEVEL * (paper - ink) }
+    }
+
+    /// Whether the darkest shade is so near the extreme one that the rest is hardly gray.
+    pub(super) fn is_dark(&self) -> bool {
+        let Tones { ink, paper, .. } = self.seen;
+        let [seen, all] =
+            if self.inverted { [paper - ink, WHITE - ink] } else { [paper - ink, paper - BLACK] };
+        seen >= DARK * all
     }
 
     /// The tones with the ink on trial.

@@ -1,14 +1,14 @@
-//! Strokes thinner than a pixel beside others: half-way from paper to ink they would break where they run between two rows of pixels.
+//! Strokes of about a pixel, alone or beside others: half-way from paper to ink they would break where they run between two rows of pixels.
 
 use super::gray::Gray;
 use super::tones::Tones;
 use crate::error::Result;
 use crate::limits::with_room;
 
-/// Ink that covers less than this of all pixels around is that of a thin stroke, or of a tip.
+/// Ink that covers less than this of the pixels across is that of a thin stroke, or of a tip. Along it there may be more.
 pub(in crate::trace) const FULL: f64 = 0.98;
 /// On both sides of it there is paper, within two pixels.
-const CLEAR: f64 = 0.125;
+const CLEAR: f64 = 0.2;
 /// It is followed as if there were so many times as much of it.
 const TIMES: f64 = 2.0;
 
@@ -52,16 +52,16 @@ impl Lifting {
         let ink = |column: usize, row: usize| (gray.shade(column, row) - self.paper) / self.way;
         let here = ink(column, row);
         if here > 0.0 && here < FULL {
-            let rows = row.saturating_sub(1)..(row + 2).min(gray.height());
-            let columns = column.saturating_sub(1)..(column + 2).min(gray.width());
-            let mut around = rows.flat_map(|row| columns.clone().map(move |column| (column, row)));
             // Beyond the border all is paper.
-            let is_paper = |x: usize, y: usize| x >= gray.width() || y >= gray.height() || ink(x, y) < CLEAR;
-            let upright = |k: usize| [is_paper(column.wrapping_sub(k), row), is_paper(column + k, row)];
-            let level = |k: usize| [is_paper(column, row.wrapping_sub(k)), is_paper(column, row + k)];
-            let between = |[a, b]: [bool; 2], [c, d]: [bool; 2]| (a || c) && (b || d);
-            if (between(upright(1), upright(2)) || between(level(1), level(2)))
-                && around.all(|(column, row)| ink(column, row) < FULL)
+            let at =
+                |x: usize, y: usize| if x >= gray.width() || y >= gray.height() { 0.0 } else { ink(x, y) };
+            let back = usize::wrapping_sub;
+            let across = |place: &dyn Fn(usize) -> [f64; 2]| {
+                let ([a, b], [c, d]) = (place(1), place(2));
+                a < FULL && b < FULL && (a < CLEAR || c < CLEAR) && (b < CLEAR || d < CLEAR)
+            };
+            if across(&|k| [at(back(column, k), row), at(column + k, row)])
+                || across(&|k| [at(column, back(row, k)), at(column, row + k)])
             {
                 return (self.paper + (TIMES * here).min(1.0) * self.way) as u16;
             }

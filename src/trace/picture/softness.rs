@@ -4,7 +4,7 @@ use super::gray::Gray;
 use super::tones::Tones;
 use crate::numerics::Point;
 use crate::numerics::order::nth;
-use crate::numerics::plane::larger;
+use crate::numerics::plane::{larger, smaller};
 
 /// As many places along all contours are looked at, about.
 const PLACES: usize = 2048;
@@ -60,7 +60,8 @@ fn width(place: &Point, gray: &Gray, tones: &Tones) -> Option<f64> {
     }
     let share = larger(right.abs(), down.abs()) / steepest;
     let here = cover(x, y)?;
-    let mut sum = here * (1.0 - here);
+    let (mut least, mut most) = (here, here);
+    let [mut count, mut sum, mut squares] = [1.0, here, here * here];
     for side in [-1, 1] {
         let (mut before, mut way) = (here, 0.0);
         for k in 1..=REACH {
@@ -72,10 +73,13 @@ fn width(place: &Point, gray: &Gray, tones: &Tones) -> Option<f64> {
             }
             way += step;
             before = value;
-            sum += (value * (1.0 - value)).max(0.0);
+            (least, most) = (smaller(least, value), larger(most, value));
+            (count, sum, squares) = (count + 1.0, sum + value, squares + value * value);
         }
     }
-    Some(sum * share)
+    // Thin things have another edge before this one reaches the tone: its way ends where that begins.
+    let way = most - least;
+    (way > SHADE).then(|| share * ((least + most) * sum - squares - count * least * most) / (way * way))
 }
 
 #[cfg(test)]
