@@ -168,3 +168,16 @@ test("a surface's net is a whole rectangle, or the file is refused", () => {
   assert.deepEqual(state.surface, surface);
   assert.throws(() => parseState(file({ surface: JSON.stringify({ ...surface, net: [at(0, 0), at(1, 0), at(0, 1)] }) })), FileError);
 });
+
+test("a file that is looked at from nearer than it can be drawn opens as near as it can be", () => {
+  const seen = (state: DemoState, zoom: number): number => readState({ ...state, view: { zoom, x: 1, y: 2 } }).view.zoom;
+  const state = stateOf();
+  const xs = state.curve.contours.flatMap(({ points }) => points.map(({ x }) => x));
+  const width = Math.max(...xs) - Math.min(...xs);
+  // Chromium draws four million pixels in milliseconds, forty in seconds, and the outlines of more than that perhaps never.
+  assert.ok(Math.abs(seen(state, 1e9) * width - 4e6) < 1, `${seen(state, 1e9) * width} px across`);
+  assert.equal(seen(state, 6000), 6000);
+  const data = [[0, 0], [10, 0], [20, 4000], [30, 0]] as const;
+  assert.equal(seen({ ...state, mode: "fit", fit: { ...emptyFit, data } }, 1e6), 1000);
+  assert.ok(seen({ ...state, mode: "trace", trace: { ...emptyTrace, sample: "trace-star" } }, 1e9) <= 4e6 / 2048);
+});

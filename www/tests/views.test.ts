@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fitted, panned, resized, toScreen, zoomedAt, type StageBox } from "../src/editor/pointer/camera.ts";
-import { Hand } from "./harness.ts";
+import { contoursOfPath, Hand } from "./harness.ts";
 
 const desk: StageBox = { left: 40, top: 48, width: 936, height: 720 };
 const phone: StageBox = { left: 0, top: 48, width: 390, height: 655 };
@@ -80,4 +80,29 @@ test("what is chosen fills the stage: a contour as a whole, or a point with the 
   const zoomed = editor.state.value.view.zoom;
   const near = await seen([1]);
   assert.ok([0, 1, 2].every((index) => inside(near[index] ?? { x: NaN, y: NaN })) && editor.state.value.view.zoom > zoomed);
+});
+
+/** Pixels across that Chromium still draws in milliseconds; of ten times as many the outlines take it seconds. */
+const drawable = 4e6;
+
+test("the wheel brings nobody so near to a drawing that browsers take seconds for it, and still near enough for its parts", () => {
+  for (const size of [1e-6, 1, 320, 1e5, 1e6, 2e7, 2e9]) {
+    const all = { minX: -size / 2, minY: 0, maxX: size / 2, maxY: size / 3 };
+    const { zoom } = zoomedAt(fitted(all, desk), desk, { x: 10, y: 10 }, Infinity, all);
+    assert.ok(zoom * size <= drawable * (1 + 1e-9), `${size} is ${zoom * size} px`);
+    assert.ok(zoom * size >= 16_000 * (1 - 1e-9) || zoom === 1e9, `${size} is only ${zoom * size} px`);
+  }
+});
+
+test("a speck that is chosen is shown no nearer than the drawing that it is a part of can be drawn", async () => {
+  const { editor } = new Hand("heart");
+  editor.dispatch({ name: "Paste", apply: (curve) => ({ ...curve, contours: [...curve.contours, ...contoursOfPath("M400 300h0.00002v0.00001z")] }) });
+  const speck = editor.state.value.curve.contours.length - 1;
+  editor.patch({ selection: { points: [0, 1, 2].map((index) => ({ contour: speck, index })), handle: null } });
+  editor.actions.run("zoom-chosen");
+  await Promise.all(editor.loading);
+  const { view, curve } = editor.state.value;
+  const xs = curve.contours.flatMap(({ points }) => points.map(({ x }) => x));
+  assert.ok(view.zoom * (Math.max(...xs) - Math.min(...xs)) <= drawable);
+  assert.ok(view.zoom > 64, "as near as it can be");
 });

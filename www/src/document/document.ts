@@ -34,6 +34,9 @@ export interface View {
   readonly up?: boolean;
 }
 
+/** CSS pixels that a drawing may be across: browsers take seconds for outlines of ten times as many. */
+export const mostAcross = 4e6;
+
 /** The version of the file format. 2 added interpolating contours and surfaces; files of version 1 still open. */
 export const stateVersion = 2;
 

@@ -1,4 +1,4 @@
-import type { Contour, CurveDocument } from "../document/document.ts";
+import type { Contour, CurveDocument, View } from "../document/document.ts";
 import { toPage, toScreen, zoomDown, type PagePoint, type ScreenPoint } from "../editor/pointer/camera.ts";
 import type { EditorState } from "../editor/editor.ts";
 import type { Bounds } from "../kernel/curve/samples.ts";
@@ -46,6 +46,9 @@ export function inPage({ context, ratio, state }: Scene): CanvasRenderingContext
 export function onScreen({ state }: Scene, point: PagePoint): ScreenPoint {
   return toScreen(state.view, state.stage, point);
 }
+
+/** From so many CSS pixels on, browsers draw less exactly than can be seen. */
+export const isFarAway = ({ x, y, zoom }: View): boolean => Math.hypot(x, y) * zoom > 1e5;
 
 const curvePaths = new WeakMap<Float64Array, Path2D>();
 

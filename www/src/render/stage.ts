@@ -4,13 +4,13 @@ import type { Editor, EditorState } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { late } from "../editor/loading.ts";
 import { nothingSketched } from "../editor/sketch.ts";
-import { drawArtboard, drawBefore, drawCurves, drawFill, drawSpans } from "./layers/curves.ts";
+import { drawArtboard, drawCurves, drawFill, drawSpans } from "./layers/curves.ts";
 import { drawBezier } from "./layers/bezier.ts";
 import { drawGrid } from "./layers/grid.ts";
 import { drawHandles, drawPoints, isCrowded } from "./layers/points.ts";
 import { drawnDiffers } from "./drawn.ts";
 import { readPalette } from "./palette.ts";
-import type { Scene } from "./scene.ts";
+import { isFarAway, type Scene } from "./scene.ts";
 
 /** The canvas: one picture per dirty frame, none otherwise. */
 
@@ -61,6 +61,7 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   }
 
   const painters = new Map<Mode, Painter>([["curve", curvePainter(editor, repaint)]]);
+  const far = late(editor, ({ view }) => isFarAway(view), () => import("./far-away.ts"), repaint);
 
   function repaint(): void {
     dirty = true;
@@ -80,7 +81,7 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     if (canvas.width === 0 || canvas.height === 0) return;
     // Every picture begins with the same pens, whatever the last one left, or the canvas forgot when it was resized.
     context.save();
-    painter?.paint(scene);
+    painter?.paint(far()?.nearby(scene) ?? scene);
     context.restore();
   }
 
@@ -118,6 +119,8 @@ function curvePainter(editor: Editor, repaint: () => void): Painter {
   const framing = late(editor, ({ selection }) => selection.points.length > 1, () => import("./layers/frame.ts"), repaint);
   const paint = (scene: Scene): void => {
     for (const layer of below) layer(scene);
+    sketch()?.drawBefore(scene);
+    drawBezier(scene);
     analysis()?.drawBelow(scene);
     weights()?.drawWeights(scene);
     framing()?.drawFrame(scene);
@@ -130,8 +133,8 @@ function curvePainter(editor: Editor, repaint: () => void): Painter {
   return { paint };
 }
 
-/** From the paper up, below and above the weights and the frame. */
-const below: readonly ((scene: Scene) => void)[] = [drawGrid, drawArtboard, drawFill, drawBefore, drawBezier];
+/** From the paper up, below what the drawing was and above the weights and the frame. */
+const below: readonly ((scene: Scene) => void)[] = [drawGrid, drawArtboard, drawFill];
 const curves: readonly ((scene: Scene) => void)[] = [drawSpans, drawCurves];
 
 /** Whether anything is to be shown that only explains the curve. */

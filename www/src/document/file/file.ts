@@ -5,11 +5,11 @@
 import {
   baseCount, modes, segmentCount, stateVersion,
   type Contour, type ControlPoint, type CurveDocument, type DemoState, type FinePlace, type Grid, type Offset, type Order,
-  type View,
 } from "../document.ts";
 import { readFit } from "./fit.ts";
 import { readOrbit, readRoots, readSurface } from "./surface.ts";
 import { readTrace } from "./trace.ts";
+import { drawable, readView } from "./view.ts";
 import { emptyFit } from "../fit/fit.ts";
 import { othersOf } from "./others.ts";
 import { emptySurface } from "../surface/surface.ts";
@@ -58,7 +58,7 @@ export function readState(value: unknown): DemoState {
   if (version > fileVersion) {
     throw new FileError("E_UNSUPPORTED", "$.version", `is ${version}; this page reads up to ${fileVersion}`, { version });
   }
-  return {
+  const state: DemoState = {
     ...strangers(root),
     format: oneOf(field(root, "format"), ["expline-demo"]),
     version: fileVersion,
@@ -70,6 +70,7 @@ export function readState(value: unknown): DemoState {
     surface: optional(root, "surface", readSurface) ?? emptySurface,
     ...defined({ orbit: optional(root, "orbit", readOrbit) }),
   };
+  return { ...state, view: drawable(state) };
 }
 
 /** Copies of somebody else's fields, as far as JSON can hold them. */
@@ -89,15 +90,6 @@ function unknownFields(value: unknown): ReadFile["warnings"] {
   return Object.keys(othersOf(asObject({ value, path: "$" })))
     .slice(0, 20)
     .map((key) => ({ code: "W_UNKNOWN_FIELD", path: `$.${key.slice(0, 40)}` }));
-}
-
-function readView(found: Found): View {
-  return {
-    // The largest drawing there can be, 2e9 across, in the smallest window.
-    zoom: asNumber(field(found, "zoom"), 1e-9, 1e9),
-    x: asNumber(field(found, "x")),
-    y: asNumber(field(found, "y")),
-  };
 }
 
 function readCurve(found: Found): CurveDocument {

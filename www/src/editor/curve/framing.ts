@@ -1,7 +1,7 @@
 import { stretching, transformPoints, turning, type Affine } from "../../document/curve/affine.ts";
 import { joinEnds } from "../../document/curve/joining.ts";
-import { pointAt } from "../../document/document.ts";
-import { around, boundsOf, type Bounds } from "../../kernel/curve/samples.ts";
+import { mostAcross, pointAt } from "../../document/document.ts";
+import { around, boundsOf, documentBounds, type Bounds } from "../../kernel/curve/samples.ts";
 import { shapeAt } from "../../kernel/paths/shapes.ts";
 import type { Editor, EditorState, Grip } from "../editor.ts";
 import { refuse } from "./edits.ts";
@@ -144,7 +144,8 @@ export function showChosen(editor: Editor): void {
     return beside.flatMap((i) => shape?.points[i] ?? []);
   });
   const box = frameOf({ ...state, tool: "select" }) ?? around(places.map(boxAt));
-  if (box !== null) editor.patch({ view: fitted(box, stage) });
+  const all = documentBounds(curve);
+  if (box !== null && all !== null) editor.patch({ view: fitted(box, stage, mostAcross / Math.max(all.maxX - all.minX, all.maxY - all.minY)) });
 }
 
 /** Every point of the contours of which one is chosen, or which the pointer is over. */

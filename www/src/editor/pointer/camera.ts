@@ -1,5 +1,5 @@
 import type { Box } from "../../document/artboard.ts";
-import type { View } from "../../document/document.ts";
+import { mostAcross, type View } from "../../document/document.ts";
 
 /** The only place where screen and document coordinates are turned into each other. */
 
@@ -31,7 +31,7 @@ export interface StageBox {
 /** 5 % and 6400 %, and beyond them as far as the drawing is larger or smaller than drawings are: all of it can be seen, and its parts too. */
 function limitsFor(box: Box | null): readonly [least: number, most: number] {
   const size = box === null ? 0 : Math.max(box.maxX - box.minX, box.maxY - box.minY);
-  return size > 0 ? [Math.min(0.05, 40 / size), Math.max(64, Math.min(1e9, 16_000 / size))] : [0.05, 64];
+  return size > 0 ? [Math.min(0.05, 40 / size), Math.min(mostAcross / size, Math.max(64, Math.min(1e9, 16_000 / size)))] : [0.05, 64];
 }
 
 /** Within the limits of what is drawn; what is seen already, by whatever way, stays in reach. */

@@ -1,15 +1,14 @@
 import { locate } from "../../document/curve/contours.ts";
 import { paintLayers } from "../../document/paint-layers.ts";
 import { lineStyle, noInk, setDashes } from "../../document/painted.ts";
-import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, segmentCount } from "../../document/document.ts";
 import { affectedSegments } from "../../document/curve/roots.ts";
 import { segmentPolygon } from "../../kernel/curve/samples.ts";
-import { documentPaths, partPath } from "../outlines.ts";
+import { documentPaths } from "../outlines.ts";
 import { inPage, pathOfPoints, type Scene } from "../scene.ts";
 import { drawSheet } from "./grid.ts";
 
-/** The drawing itself on its sheet, and what it was before the drag. */
+/** The drawing itself on its sheet, and what of it a drag would change. */
 
 export function drawArtboard(scene: Scene): void {
   const { artboard } = scene.state.curve;
@@ -45,26 +44,6 @@ function paint({ palette }: Scene, context: CanvasRenderingContext2D, color: str
   // What lies below is not seen, and lines and points are over any colour.
   if (color?.length === solid) inColor(palette.canvas, 1);
   inColor(color ?? palette.point, color === undefined ? 0.08 : 0.5);
-}
-
-/** Dotted: the curve as it was when the drag began. */
-export function drawBefore(scene: Scene): void {
-  const { state, palette, origin } = scene;
-  if (origin === state.curve || state.drag === null) return;
-  const context = inPage(scene);
-  const { zoom } = state.view;
-  context.strokeStyle = palette.original;
-  context.lineWidth = 1.5 / zoom;
-  context.lineCap = "round";
-  context.setLineDash([0.01 / zoom, 4 / zoom]);
-  const contours = new Set(state.curve.contours);
-  const changed = origin.contours.filter((contour) => !contours.has(contour));
-  const kept = new Set(state.curve.contours.flatMap((contour) => partsOf(state.curve, contour)));
-  for (const contour of changed) {
-    for (const part of partsOf(origin, contour)) if (!kept.has(part)) context.stroke(partPath(scene, origin, part));
-  }
-  context.setLineDash([]);
-  context.lineCap = "butt";
 }
 
 const sidesPerSegment = 48;

@@ -1,9 +1,11 @@
+import { partsOf } from "../../document/curve/parts.ts";
 import type { PagePoint } from "../../editor/pointer/camera.ts";
 import { cubicsOf } from "../../kernel/paths/paths.ts";
+import { partPath } from "../outlines.ts";
 import { contourPath, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
 
 /**
- * What tools show while they work: guides, marquee, the pen's next segment, where a point would go in, the loupe. Loaded when a pointer
+ * What tools show while they work: the curve before the drag, guides, marquee, the pen's next segment, where a point would go in, the loupe. Loaded when a pointer
  * has something to show first.
  */
 
@@ -16,6 +18,26 @@ export function drawSketch(scene: Scene): void {
   drawGuides(scene);
   drawMarquee(scene);
   drawLoupe(scene);
+}
+
+/** Dotted: the curve as it was when the drag began. */
+export function drawBefore(scene: Scene): void {
+  const { state, palette, origin } = scene;
+  if (origin === state.curve || state.drag === null) return;
+  const context = inPage(scene);
+  const { zoom } = state.view;
+  context.strokeStyle = palette.original;
+  context.lineWidth = 1.5 / zoom;
+  context.lineCap = "round";
+  context.setLineDash([0.01 / zoom, 4 / zoom]);
+  const contours = new Set(state.curve.contours);
+  const changed = origin.contours.filter((contour) => !contours.has(contour));
+  const kept = new Set(state.curve.contours.flatMap((contour) => partsOf(state.curve, contour)));
+  for (const contour of changed) {
+    for (const part of partsOf(origin, contour)) if (!kept.has(part)) context.stroke(partPath(scene, origin, part));
+  }
+  context.setLineDash([]);
+  context.lineCap = "butt";
 }
 
 function drawProposal(scene: Scene): void {
