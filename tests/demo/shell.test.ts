@@ -330,3 +330,20 @@ test("the last number of every mode is in sight on a tablet; where they are too 
     await demo.page.close();
   }
 });
+
+test("who reads the panel's labels one by one, or searches the page for one, does not push the page out of a narrow window", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8", { viewport: { width: 800, height: 500 } });
+  await demo.focusStage();
+  await demo.press("]");
+  await demo.byId("btn-panel").click();
+  await demo.still();
+  const farthest = await demo.page.evaluate(() => {
+    const labels = [...document.querySelectorAll("[data-testid=panel] .field-label")];
+    // As screen readers and Find do; some labels are for the former alone.
+    return Math.max(...labels.map((label) => {
+      label.scrollIntoView({ block: "end" });
+      return window.scrollY;
+    }));
+  });
+  assert.equal(farthest, 0);
+});
