@@ -305,6 +305,21 @@ test("a surface goes through its file and through a link with every bit", async 
   assert.deepEqual((await demo.state()).surface, state.surface);
 });
 
+test("a surface that is none, in a file that is opened over another surface, gives way to its sample, and the page goes on", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-sphere");
+  const good = await demo.state();
+  const { u } = good.surface;
+  assert.ok(u !== undefined);
+  // Roots come in pairs: alone, this one spans no real function.
+  const alone = u.roots.map((root, i) => (i === 1 ? { ...root, im: 2 } : root));
+  await demo.page.evaluate((state) => window.explineDemo.setState(state), { ...good, surface: { ...good.surface, u: { ...u, roots: alone } } });
+  await demo.idle();
+  assert.deepEqual((await demo.state()).surface.u, u);
+  assert.match(await demo.textOf("error"), /The surface could not be opened/u);
+  await demo.press("]");
+  assert.deepEqual(demo.complaints, []);
+});
+
 test("the 3-D library is loaded with Surface mode and not before", async (t) => {
   const demo = await open(t);
   const requests: string[] = [];

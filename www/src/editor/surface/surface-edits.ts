@@ -2,7 +2,7 @@ import { surfaceTitle } from "../../document/surface/surface-samples.ts";
 import { isChosen, noNetPoints, sameNetPoint, type NetRef, type SurfaceDocument, type SurfaceMoment } from "../../document/surface/surface.ts";
 import { atLevels, netSize, resizedSurface, largestDistance } from "../../kernel/surface/surface-net.ts";
 import { extentOf, netPoints, type ShownPoint } from "../../kernel/surface/surface-mesh.ts";
-import { openedSurface, refinedHere, surfaceOf, surfaceSample, withNetPoints } from "../../kernel/surface/surface.ts";
+import { madeSurface, openedSurface, refinedHere, surfaceSample, withNetPoints } from "../../kernel/surface/surface.ts";
 import { printed, refuse } from "../curve/edits.ts";
 import type { Editor } from "../editor.ts";
 import { add, fittingDistance, frameOf, type Orbit, type Vector } from "./orbit.ts";
@@ -29,7 +29,7 @@ export function ensureSurface(editor: Editor): void {
 
 function isDrawable(editor: Editor, surface: SurfaceDocument): boolean {
   try {
-    surfaceOf(surface);
+    madeSurface(surface);
     return true;
   } catch (error) {
     editor.notify({

@@ -1,12 +1,25 @@
-import { TensorSurface } from "expline/slim";
+import { ExplineError, TensorSurface } from "expline/slim";
 import { emptySurface, type NetPoint, type NetRef, type Root, type SurfaceDocument } from "../../document/surface/surface.ts";
 
 /** The library's surface of a document, and documents of the library's surfaces. */
 
 const surfaces = new WeakMap<SurfaceDocument, TensorSurface>();
 
-/** The surface, or null while no sample has been opened. Throws `ExplineError` when the library refuses it. */
+/**
+ * The surface, or null: while no sample has been opened, and for a net of which the library makes none. Whoever hears of one
+ * before its sample has taken its place may ask for it all the same.
+ */
 export function surfaceOf(document: SurfaceDocument): TensorSurface | null {
+  try {
+    return madeSurface(document);
+  } catch (error) {
+    if (error instanceof ExplineError) return null;
+    throw error;
+  }
+}
+
+/** The same; throws `ExplineError` when the library refuses it. */
+export function madeSurface(document: SurfaceDocument): TensorSurface | null {
   const { u, v } = document;
   if (u === undefined || v === undefined) return null;
   const known = surfaces.get(document);
