@@ -346,4 +346,11 @@ test("who reads the panel's labels one by one, or searches the page for one, doe
     }));
   });
   assert.equal(farthest, 0);
+  await demo.byId("btn-panel").click();
+  await demo.still();
+  const aside = await demo.page.evaluate(() => {
+    document.querySelector("[data-testid=panel] .field-label")?.scrollIntoView();
+    return window.scrollX + (document.querySelector(".app")?.scrollLeft ?? 0);
+  });
+  assert.equal(aside, 0, "what is put away beside the page stays there");
 });
