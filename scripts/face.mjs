@@ -17,6 +17,7 @@ const nothingInside = (file, start) => `
   export function wasmBytes(op) {
     throw new ExplineError("E_NOT_READY", op, "expline/slim has no engine inside; await ${start}() first");
   }
+  export const besideCore = undefined;
 `;
 
 /**
@@ -33,6 +34,7 @@ const fileBeside = (file, start) => `
       throw new ExplineError("E_NOT_READY", op, "${file}_bg.wasm does not lie beside the program; await ${start}({ bytes }) first", { cause });
     }
   }
+  export const besideCore = undefined;
 `;
 
 /**
@@ -45,9 +47,6 @@ async function bundleFace(name, contents, prefix) {
   const setup = (bundler) => {
     bundler.onLoad({ filter: /-bytes\.js$/ }, () => ({ contents, resolveDir: at("ts") }));
     bundler.onResolve({ filter: /\/(core|spline|surface)\.js$/ }, ({ path }) => ({ path: `${prefix}${basename(path)}`, external: true }));
-    // The core has the decoder of inlined text already.
-    if (prefix !== "./") bundler.onLoad({ filter: /\/decode\.ts$/ }, () => ({ contents: "export const decoded = undefined;" }));
-    if (name !== "core") bundler.onResolve({ filter: /\/decode\.ts$/ }, () => ({ path: `${prefix}core.js`, external: true }));
   };
   const { outputFiles } = await build({
     entryPoints: [at(`ts/${name}.ts`)],
@@ -108,8 +107,7 @@ export async function buildFace() {
     for (const { name, file, start, bytes } of KINDS) {
       const literal = JSON.parse(readFileSync(at(BINDINGS, `${bytes}.json`), "utf8"));
       // The literal was chosen to the byte, so the bundler sees a short stand-in for it.
-      const holder = readFileSync(at(BINDINGS, `${bytes}.js`), "utf8").replace(literal, () => PLACEHOLDER);
-      const full = await bundleFace(name, holder, "./");
+      const full = await bundleFace(name, readFileSync(at(BINDINGS, `${bytes}.js`), "utf8"), "./");
       writeFileSync(at(`pkg/${name}.js`), full.replace(PLACEHOLDER, () => literal));
       writeFileSync(at(`pkg/slim-${name}.js`), await bundleFace(name, nothingInside(file, start), "./slim-"));
       cpSync(at(BINDINGS, `${file}_bg.wasm`), at(`pkg/${file}_bg.wasm`));

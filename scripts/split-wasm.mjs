@@ -4,168 +4,121 @@
 // Apart they are an eighth smaller after gzip. What comes out has a head that says how it is put together again:
 //
 //   count of streams, count of rows
-//   a stream: its length in three bytes, and how its items are cut: 0 as LEB128, 254 as LEB128 to be multiplied by 2 to the power of the
-//   byte before it, 255 by a first byte with the length, else so many bytes
+//   a stream: its length in three bytes, and how its items are cut: 0 as LEB128, a type as a local of that type, 252 as the beginning of a
+//   function, 253 as its end, 254 as LEB128 to be multiplied by 2 to the power of the byte before it, 255 by a first byte with the
+//   length, else so many bytes
 //   a row: how many bytes and 16 times how many items, the bytes as they are, and the numbers of the streams of the items
-//   the streams, the first of which names the row of each operation
+//   the streams; that of operations names the row of each
 //
-// Where there are more kinds of operations than rows, the rarest are items of the raw stream, as they are.
+// A local is told by how many others of its type have been used since its last use, plus one; 0 is the next new one (number-locals.mjs).
+// How long a function is follows from where it ends.
+//
+// Where there are more kinds of operations than rows, the rarest are items of the raw stream, as they are: of them, those without locals.
 //
 // DECODER, in inline-wasm.mjs, puts it together.
 
-/** Items that are LEB128, such in units of the alignment before them, and items with their length before them. */
+import { typesOf } from "./number-locals.mjs";
+import { bodyOf, bytesOf, headOf, leb, numberOf, takenApart } from "./wasm-functions.mjs";
+
+/** How items are cut: as LEB128, at the two ends of a function, as LEB128 in units of the alignment before, with their length before them. */
 const LEB = 0;
+const BEGIN = 252;
+const END = 253;
 const SCALED = 254;
 const COUNTED = 255;
 const LONGEST_ITEM = 253;
 
-/** The streams and how their items are cut; operations come first, what is long before what is short. */
+const I32 = 0x7f;
+const I64 = 0x7e;
+const F32 = 0x7d;
+const F64 = 0x7c;
+const V128 = 0x7b;
+
+/**
+ * The streams and how their items are cut. Gzip makes a code for sixteen thousand symbols at a time, so it matters what lies beside what: this is
+ * the best of some thousand orders for the five files of the package, 1 % smaller than the long before the short.
+ */
 const STREAMS = [
-  ["operations", 1],
-  ["local", LEB],
+  ["offset of integer", SCALED],
+  ["offset of vector", SCALED],
   ["offset", SCALED],
+  ["offset of double", SCALED],
+  ["shift to the right", LEB],
+  ["shift to the left", LEB],
   ["align", LEB],
-  ["double", 8],
-  ["integer", LEB],
-  ["raw", COUNTED],
-  ["vector", 16],
-  ["call", LEB],
-  ["type", 1],
-  ["long", LEB],
-  ["branch", LEB],
-  ["locals", COUNTED],
-  ["size", LEB],
-  ["global", LEB],
+  ["get f32", F32],
+  ["get i64", I64],
+  ["set f32", F32],
+  ["get i32", I32],
+  ["get f64", F64],
+  ["get v128", V128],
   ["lane", 1],
+  ["set i64", I64],
+  ["set v128", V128],
+  ["set f64", F64],
+  ["set i32", I32],
+  ["branch", LEB],
   ["table", COUNTED],
+  ["operations", 1],
+  ["summand", LEB],
+  ["integer", LEB],
+  ["global", LEB],
+  ["long", LEB],
+  ["vector", 16],
+  ["double", 8],
+  ["function", BEGIN],
+  ["end", END],
+  ["raw", COUNTED],
   ["single", 4],
+  ["type", 1],
+  ["call", LEB],
 ];
+const NUMBERS = new Map(STREAMS.map(([name], number) => [name, number]));
+const MODES = new Map(STREAMS);
 
-const MEMORY = ["align", "offset"];
+/** The number of the stream that says which operation comes next; it is not the last one. */
+export const OPERATIONS = NUMBERS.get("operations");
 
-/** The streams of what follows an operation, by its numbers: those of version 2 of the format that compilers write. */
-function operandsOf(code, sub) {
-  if (code >= 0x02 && code <= 0x04) return ["type"];
-  if (code === 0x0c || code === 0x0d) return ["branch"];
-  if (code === 0x0e) return ["table"];
-  if (code === 0x10) return ["call"];
-  if (code === 0x11) return ["call", "call"];
-  if (code === 0x1c) return ["locals"];
-  if (code >= 0x20 && code <= 0x22) return ["local"];
-  if (code === 0x23 || code === 0x24) return ["global"];
-  if (code >= 0x28 && code <= 0x3e) return MEMORY;
-  if (code === 0x3f || code === 0x40) return ["lane"];
-  if (code === 0x41) return ["integer"];
-  if (code === 0x42) return ["long"];
-  if (code === 0x43) return ["single"];
-  if (code === 0x44) return ["double"];
-  if (code === 0xfc) return sub <= 7 ? [] : sub === 10 ? ["lane", "lane"] : sub === 11 ? ["lane"] : undefined;
-  if (code === 0xfd) {
-    if (sub <= 11 || sub === 92 || sub === 93) return MEMORY;
-    if (sub === 12 || sub === 13) return ["vector"];
-    if (sub >= 21 && sub <= 34) return ["lane"];
-    return sub >= 84 && sub <= 91 ? [...MEMORY, "lane"] : [];
-  }
-  return code < 0xc5 ? [] : undefined;
-}
+const TYPE_NAMES = new Map([[I32, "i32"], [F64, "f64"], [V128, "v128"], [I64, "i64"], [F32, "f32"]]);
 
-/** Reads a file from its start. */
-class Reader {
-  constructor(bytes) {
-    this.bytes = bytes;
-    this.at = 0;
-  }
-
-  number() {
-    let value = 0;
-    for (let shift = 0; ; shift += 7) {
-      const byte = this.bytes[this.at++];
-      value += (byte & 127) * 2 ** shift;
-      if (byte < 128) return value;
-    }
-  }
-
-  take(count) {
-    this.at += count;
-    return [...this.bytes.subarray(this.at - count, this.at)];
-  }
-
-  /** What was read since then. */
-  since(start) {
-    return [...this.bytes.subarray(start, this.at)];
-  }
-
-  /** One item of a stream, with its length before it where that is how it is cut. */
-  item(stream) {
-    const start = this.at;
-    const numbers = { table: 1, locals: 1 }[stream];
-    if (numbers === undefined) {
-      const mode = STREAMS.find(([name]) => name === stream)[1];
-      if (mode !== LEB && mode !== SCALED) return this.take(mode);
-      this.number();
-      return this.since(start);
-    }
-    const count = this.number();
-    if (stream === "locals") throw new Error("select with types: not expected from this compiler");
-    for (let i = 0; i <= count; i++) this.number();
-    return counted(this.since(start));
-  }
-}
-
-/** A number as LEB128. */
-function leb(number) {
-  return number < 128 ? [number] : [(number & 127) | 128, ...leb(Math.floor(number / 128))];
-}
+/** Constants for different uses are of different sizes: what the operation after one says of it. */
+const USES = new Map([[0x6a, "summand"], [0x6b, "summand"], [0x74, "shift to the left"], [0x75, "shift to the right"], [0x76, "shift to the right"]]);
+/** As are offsets of what is 4 or 8 bytes long. */
+const KINDS_OF_MEMORY = new Map([[0x28, "offset of integer"], [0x36, "offset of integer"], [0x2b, "offset of double"], [0x39, "offset of double"], [0xfd, "offset of vector"]]);
 
 function counted(bytes) {
   if (bytes.length > LONGEST_ITEM) throw new Error(`an item has ${bytes.length} bytes: too long for one byte of length`);
   return [bytes.length, ...bytes];
 }
 
-/** Calls `row(bytes, items)` for every operation, and for what is not code; `bytes` are its own, `items` are [stream, bytes]. */
-function eachOperation(wasm, row) {
-  const reader = new Reader(wasm);
-  const raw = (bytes) => {
-    for (let i = 0; i < bytes.length; i += LONGEST_ITEM) row([], [["raw", counted(bytes.slice(i, i + LONGEST_ITEM))]]);
-  };
-  raw(reader.take(8));
-  while (reader.at < wasm.length) {
-    const start = reader.at;
-    const [section] = reader.take(1);
-    const length = reader.number();
-    if (section !== 10) {
-      reader.take(length);
-      raw(reader.since(start));
-      continue;
-    }
-    const functions = reader.number();
-    raw(reader.since(start));
-    for (let i = 0; i < functions; i++) eachOperationOfOne(reader, row);
-  }
+/** Bytes that are no operations, as they are. */
+function raw(bytes) {
+  const parts = Array.from({ length: Math.ceil(bytes.length / LONGEST_ITEM) }, (_, i) => bytes.slice(i * LONGEST_ITEM, (i + 1) * LONGEST_ITEM));
+  return parts.map((part) => ({ code: [], items: [["raw", counted(part)]] }));
 }
 
-function eachOperationOfOne(reader, row) {
-  const start = reader.at;
-  const length = reader.number();
-  const size = reader.since(start);
-  const end = reader.at + length;
-  const locals = reader.at;
-  const groups = reader.number();
-  for (let g = 0; g < groups; g++) {
-    reader.number();
-    reader.take(1);
+/** The parameters' types from the last one to the first, and the locals: what the decoder needs before the first use of one. */
+function beginning({ parameters, locals }) {
+  return { code: [], items: [["function", [parameters.length, ...parameters.toReversed(), locals.length, ...locals.flat()]]] };
+}
+
+/** The locals of a function in use, of each type those used last first. */
+class Recency {
+  constructor(f) {
+    this.types = typesOf(f);
+    if (this.types.length > 255) throw new Error("a function has more locals than a byte can count");
+    this.lists = new Map([...TYPE_NAMES.keys()].map((type) => [type, []]));
+    f.parameters.forEach((type, local) => this.lists.get(type).push(local));
   }
-  row([], [["size", size], ["locals", counted(reader.since(locals))]]);
-  while (reader.at < end) {
-    const start = reader.at;
-    const [code] = reader.take(1);
-    const sub = code >= 0xfc ? reader.number() : 0;
-    const bytes = reader.since(start);
-    const operands = operandsOf(code, sub);
-    if (operands === undefined) throw new Error(`operation ${code} ${sub} is not known`);
-    const items = operands.map((stream) => [stream, reader.item(stream)]);
-    if (operands[0] !== "align") row(bytes, items);
-    else aligned(bytes, items, row);
+
+  /** The stream of a use, and its item. */
+  use(code, local) {
+    const type = this.types[local];
+    const list = this.lists.get(type);
+    const place = list.indexOf(local);
+    if (place >= 0) list.splice(place, 1);
+    list.unshift(local);
+    return [`${code === 0x20 ? "get" : "set"} ${TYPE_NAMES.get(type)}`, [place + 1]];
   }
 }
 
@@ -173,58 +126,79 @@ function eachOperationOfOne(reader, row) {
  * How memory is aligned goes with the operation nearly always: it is a part of it. Offsets are multiples of it nearly always, and shorter
  * in its units.
  */
-function aligned(bytes, [[, [align]], [stream, item], ...rest], row) {
-  const offset = new Reader(item).number();
-  const own = [...bytes, align];
-  if (offset % 2 ** align !== 0) row([], whole(own, [[stream, item], ...rest]));
-  else row(own, [[stream, leb(offset / 2 ** align), item], ...rest]);
+function aligned({ code, operands: [[, [align]], [, offset], ...rest] }, plain) {
+  const units = numberOf(offset) / 2 ** align;
+  if (!Number.isInteger(units)) return { code: [], items: [["raw", counted(plain)]] };
+  return { code: [...code, align], items: [[KINDS_OF_MEMORY.get(code[0]) ?? "offset", leb(units)], ...rest], plain };
+}
+
+/** An operation with its items; `plain` where it may be raw as well: all but uses of locals and the ends of functions. */
+function operation(each, next, recency) {
+  const { code, operands } = each;
+  const [kind] = operands[0] ?? [];
+  if (kind === "local") return { code, items: [recency.use(code[0], numberOf(operands[0][1]))] };
+  if (next === undefined) return { code, items: [["end", []]] };
+  const plain = bytesOf(each);
+  if (kind === "align") return aligned(each, plain);
+  if (kind === "integer") return { code, items: [[USES.get(next.code[0]) ?? kind, operands[0][1]]], plain };
+  const items = operands.map(([stream, bytes]) => [stream, MODES.get(stream) === COUNTED ? counted(bytes) : bytes]);
+  return { code, items, plain };
+}
+
+function operationsOf(f) {
+  const recency = new Recency(f);
+  return [beginning(f), ...f.operations.map((each, i) => operation(each, f.operations[i + 1], recency))];
+}
+
+/** All operations of a wasm, and what is no code, as { code, items: [stream, bytes], plain }. */
+function operationsIn(wasm) {
+  const { before, functions, after } = takenApart(wasm);
+  return [...raw([...before, ...headOf(functions.map(bodyOf))]), ...functions.flatMap(operationsOf), ...raw(after)];
 }
 
 const RAW = " raw";
-const keyOf = (bytes, items) => `${bytes} ${items.map(([stream]) => stream)}`;
+const keyOf = ({ code, items }) => `${code} ${items.map(([stream]) => stream)}`;
 
-/** The operation as it was in the wasm, as one item; what is written otherwise in its stream has that as its third part. */
-function whole(bytes, items) {
-  const modes = new Map(STREAMS);
-  return [["raw", counted([...bytes, ...items.flatMap(([stream, item, plain]) => plain ?? (modes.get(stream) === COUNTED ? item.slice(1) : item))])]];
-}
-
-/** The kinds of operations that get a row of their own: the most frequent, where there are too many for a byte. */
-function kindsOf(wasm, most) {
+/**
+ * The kinds of operations, as [key, operation]: what the other wasm has too where it has it, so that what is alike in both looks alike, and
+ * the others by how frequent they are: low numbers are shorter in the text. Where there are more than 256, the rarest are raw.
+ */
+function kindsOf(operations, others) {
   const uses = new Map();
-  eachOperation(wasm, (bytes, items) => {
-    const key = keyOf(bytes, items);
+  const kinds = new Map();
+  for (const each of operations) {
+    const key = keyOf(each);
+    kinds.set(key, each);
     uses.set(key, (uses.get(key) ?? 0) + 1);
-  });
-  const others = [...uses.keys()].filter((key) => key !== RAW).sort((a, b) => uses.get(b) - uses.get(a));
-  return new Set([RAW, ...others.slice(0, most - 1)]);
+  }
+  const ranked = [...kinds].sort(([a], [b]) => uses.get(b) - uses.get(a));
+  const certain = ([, { plain }]) => plain === undefined;
+  const kept = new Set([...ranked.filter(certain), ...ranked.filter((kind) => !certain(kind))].slice(0, 256).map(([key]) => key));
+  const shared = others.map(([key]) => (kept.has(key) ? [key, kinds.get(key)] : undefined));
+  const own = ranked.filter(([key]) => kept.has(key) && !others.some(([other]) => other === key));
+  return [...shared.map((kind) => kind ?? own.shift()), ...own].filter((kind) => kind !== undefined);
 }
 
-/** The wasm in streams, with the head that says how to put them together; at `most` so many kinds of operations are told apart. */
-export function splitWasm(wasm, most = 256) {
-  const kinds = kindsOf(wasm, most);
+/**
+ * The wasm in streams, with the head that says how to put them together, and the kinds of operations that are told apart; `others` are those
+ * of another wasm.
+ */
+export function splitWasm(wasm, others = []) {
+  const all = operationsIn(wasm);
+  const kinds = kindsOf(all, others);
+  const rows = new Map(kinds.map(([key], row) => [key, row]));
   const streams = new Map(STREAMS.map(([name]) => [name, []]));
-  const rows = new Map();
-  const operations = [];
-  eachOperation(wasm, (...operation) => {
-    const [bytes, items] = kinds.has(keyOf(...operation)) ? operation : [[], whole(...operation)];
-    const key = keyOf(bytes, items);
-    let row = rows.get(key);
-    if (row === undefined) rows.set(key, (row = { bytes, items: items.map(([stream]) => stream), count: 0 }));
-    row.count += 1;
-    operations.push(row);
+  for (const each of all) {
+    const row = rows.get(keyOf(each));
+    streams.get("operations").push(row ?? rows.get(RAW));
+    const items = row === undefined ? [["raw", counted(each.plain)]] : each.items;
     for (const [stream, item] of items) streams.get(stream).push(...item);
-  });
-  // Frequent ones get low numbers, which are shorter in the text.
-  const sorted = [...rows.values()].sort((a, b) => b.count - a.count);
-  sorted.forEach((row, number) => (row.number = number));
-  streams.set("operations", operations.map((row) => row.number));
-  const names = STREAMS.map(([name]) => name);
-  const head = [STREAMS.length, sorted.length & 255];
+  }
+  const head = [STREAMS.length, kinds.length & 255];
   for (const [name, mode] of STREAMS) {
     const { length } = streams.get(name);
     head.push(length & 255, (length >> 8) & 255, length >> 16, mode);
   }
-  for (const { bytes, items } of sorted) head.push(bytes.length + 16 * items.length, ...bytes, ...items.map((name) => names.indexOf(name)));
-  return Uint8Array.from([...head, ...[...streams.values()].flat()]);
+  for (const [, { code, items }] of kinds) head.push(code.length + 16 * items.length, ...code, ...items.map(([stream]) => NUMBERS.get(stream)));
+  return { bytes: Uint8Array.from([...head, ...[...streams.values()].flat()]), kinds };
 }

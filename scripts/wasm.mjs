@@ -2,13 +2,14 @@
 
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 
-import { decoderModule, inlineModule } from "./inline-wasm.mjs";
+import { decoderModule, inlineModule, inlined } from "./inline-wasm.mjs";
 import { BINDINGS, KINDS } from "./kinds.mjs";
 import { at, run, sideBySide, step } from "./steps.mjs";
 
 const RUST = ["src", "Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml"];
 const XTASK = ["xtask", "Cargo.lock", "rust-toolchain.toml"];
 const BOUND = "build/bound";
+const INLINING = ["inline-wasm", "decoder", "copy-runs", "split-wasm", "number-locals", "wasm-functions"].map((name) => `scripts/${name}.mjs`);
 
 /**
  * No object lies below address 1024, where the stack ends, so an address and what is added to it never overflow: the sum is the
@@ -64,7 +65,7 @@ export async function buildWasm() {
 /** The wasm that reads inlined wasm. */
 async function buildDecoder() {
   const outputs = ["wasm-decoder.js", "wasm-decoder.d.ts"].map((f) => `${BINDINGS}/${f}`);
-  await step("decoder", { inputs: ["scripts/inline-wasm.mjs"], outputs }, async () => {
+  await step("decoder", { inputs: INLINING, outputs }, async () => {
     const { code, declarations } = await decoderModule();
     mkdirSync(at(BINDINGS), { recursive: true });
     writeFileSync(at(BINDINGS, "wasm-decoder.js"), code);
@@ -72,11 +73,11 @@ async function buildDecoder() {
   });
 }
 
-/** The bindings of a kind, and its wasm as text. */
+/** The bindings of a kind. */
 async function bind(kind) {
-  const { name, file, bytes, inline } = kind;
-  const inputs = [raw(kind), "target/xtask/xtask", "scripts/snip.mjs", "scripts/inline-wasm.mjs", "scripts/split-wasm.mjs", "scripts/wasm.mjs", "scripts/kinds.mjs"];
-  const outputs = [`${file}.d.ts`, `${file}_bg.wasm`, `${bytes}.js`].map((f) => `${BINDINGS}/${f}`);
+  const { name, file, inline } = kind;
+  const inputs = [raw(kind), "target/xtask/xtask", "scripts/snip.mjs", "scripts/wasm.mjs", "scripts/kinds.mjs"];
+  const outputs = [`${file}.d.ts`, `${file}_bg.wasm`].map((f) => `${BINDINGS}/${f}`);
   await step(`bindings, ${name}`, { inputs, outputs, alone: false }, async () => {
     const flags = ["--target", "web", "--omit-default-module-path", "--remove-producers-section", "--out-name", file, "--out-dir", at(BOUND)];
     await run(at("target/xtask/xtask"), ["bindgen", at(raw(kind)), ...flags]);
@@ -88,10 +89,23 @@ async function bind(kind) {
       ...["-O3", ADDRESSES, ...(inline === 0 ? NOT_INLINED : []), "--reorder-functions-by-name", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
       ...[at(BOUND, `${file}_snipped.wasm`), "-o", at(BINDINGS, `${file}_bg.wasm`)],
     ]);
-    const { code, declarations, text } = await inlineModule(readFileSync(at(BINDINGS, `${file}_bg.wasm`)));
-    writeFileSync(at(BINDINGS, `${bytes}.json`), JSON.stringify(text));
-    writeFileSync(at(BINDINGS, `${bytes}.js`), code);
-    writeFileSync(at(BINDINGS, `${bytes}.d.ts`), declarations);
+  });
+}
+
+/** Every wasm as text; the others copy from the core's, which is the first. */
+async function inlineAll() {
+  const inputs = [...KINDS.map(({ file }) => `${BINDINGS}/${file}_bg.wasm`), ...INLINING, "scripts/kinds.mjs"];
+  const outputs = KINDS.flatMap(({ bytes }) => [".js", ".json", ".d.ts"].map((extension) => `${BINDINGS}/${bytes}${extension}`));
+  await step("wasm as text", { inputs, outputs }, async () => {
+    let core;
+    for (const { file, bytes } of KINDS) {
+      const made = await inlined(readFileSync(at(BINDINGS, `${file}_bg.wasm`)), core);
+      const { code, declarations } = inlineModule(made, core === undefined);
+      core ??= made;
+      writeFileSync(at(BINDINGS, `${bytes}.json`), JSON.stringify(made.text));
+      writeFileSync(at(BINDINGS, `${bytes}.js`), code);
+      writeFileSync(at(BINDINGS, `${bytes}.d.ts`), declarations);
+    }
   });
 }
 
@@ -109,6 +123,7 @@ async function writeVersion() {
 /** The bindings of every kind, the decoder of their text, and the version. */
 export async function buildBindings() {
   await sideBySide(KINDS, bind);
+  await inlineAll();
   await buildDecoder();
   await writeVersion();
 }

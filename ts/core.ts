@@ -65,4 +65,4 @@ export { callOf, doorOf } from "./core/kernel.js";
 /** @internal */
 export type { Door, Floats } from "./core/kernel.js";
 /** @internal */
-export { decoded } from "./core/decode.js";
+export { besideCore } from "../build/bindings/wasm-bytes.js";

@@ -100,8 +100,8 @@ test("esbuild, as a classic script in a page that declares no charset", async ()
   assert.equal(await titleOf(folder, POLICY), EXPECTED);
 });
 
-/** Something that only the wasm for fitting, for surfaces, or for tracing has in the text that it is inlined as. */
-const MARKS = { fitting: "fit_describe", surfaces: "surface_touched", tracing: "trace_describe" } as const;
+/** Something that only the module of splines, of fitting, of surfaces, or of tracing says. */
+const MARKS = { splines: "load_spline", fitting: "fit_describe", surfaces: "surface_touched", tracing: "trace_describe" } as const;
 
 /** What a bundle has besides curves. */
 function parts(file: string): string[] {
@@ -112,6 +112,7 @@ function parts(file: string): string[] {
 for (const [name, code, expected] of [
   ["curves", 'import { HermiteCurve } from "expline"; document.title = String(HermiteCurve.through([0, 0, 1, 1, 2, 0]).closed);', []],
   ["pointers", 'import { HermiteCurve } from "expline"; import { hitTest } from "expline/edit"; const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [9, 9], count: 2 }); document.title = String(hitTest([circle], 9.5, 0, { reach: 1 }).kind === "point");', []],
+  ["splines", 'import { InterpolatingCurve, roots } from "expline"; document.title = String(new InterpolatingCurve({ points: [1, 0, 0, 1, -1, 0, 0, -1], roots: roots.ellipse(4), closed: true }).length() > 6);', ["splines"]],
   ["fits", 'import { fitSparse } from "expline"; document.title = String(fitSparse([0, 0, 4, 0, 4, 4, 0, 4]).curve.closed);', ["fitting"]],
   ["surfaces", 'import { TensorSurface } from "expline"; document.title = String(TensorSurface.torus(3, 1).u.closed);', ["surfaces"]],
   ["traces", 'import { traceImage } from "expline"; document.title = String(traceImage({ width: 4, height: 4, data: new Uint8Array(16) }).contours[0].closed);', ["tracing"]],

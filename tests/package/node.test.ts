@@ -43,6 +43,28 @@ test("Node reads the wasm file only when it is needed; where it may load no addo
   assert.equal(node(code, "--no-addons").trim(), JSON.stringify(["expline.js", true, 27, true, 1]));
 });
 
+test("the wasm inside the modules computes what the files beside them do, to the last bit, in every kind of work", () => {
+  const code = `
+    import { createHash } from "node:crypto";
+    import { HermiteCurve, InterpolatingCurve, TensorSurface, fitSparse, parsePath, roots, traceImage } from "expline";
+    const wave = (count, scale) => Float64Array.from({ length: count }, (_, i) => scale * Math.round(100 * Math.sin(i * i)));
+    const curve = new HermiteCurve({ points: wave(40, 1), tangents: wave(40, 2) });
+    const spline = new InterpolatingCurve({ points: wave(24, 1), roots: roots.ellipse(12), closed: true });
+    const data = Uint8Array.from({ length: 1024 }, (_, i) => (Math.hypot((i % 32) - 16, (i >> 5) - 16) < 11 ? 0 : 255));
+    const results = [
+      curve.sample(500), curve.flatten(0.1), [curve.length(), ...Object.values(curve.nearest(3, 4)).flat()], curve.toPathD().d, curve.toCubics(0.1),
+      parsePath("M0 0C1 2 3 4 5 6A7 8 9 0 1 2 3Z")[0].sample(99),
+      spline.sample(500), spline.flatten(0.1), [spline.length(), ...Object.values(spline.nearest(3, 4)).flat()], spline.refine(2).points, spline.toCubics(0.1),
+      TensorSurface.torus(3, 1).mesh(20, 20), fitSparse(wave(80, 1)).curve, traceImage({ width: 32, height: 32, data }).contours,
+    ];
+    const plain = (_, value) => (ArrayBuffer.isView(value) ? Array.from(value) : value);
+    console.log(JSON.stringify(results.map((result) => createHash("sha256").update(JSON.stringify(result, plain)).digest("hex"))));
+  `;
+  const beside = JSON.parse(node(code)) as readonly string[];
+  assert.equal(new Set(beside).size, 14, "no two results are alike");
+  assert.deepEqual(JSON.parse(node(code, "--no-addons")), beside);
+});
+
 test("an error that nobody catches is shown with its name and a line of the package, not with all of it", () => {
   const code = `import { HermiteCurve } from "expline"; HermiteCurve.through([0, 0, 1, NaN, 1, 1]);`;
   const { status, stderr } = spawnSync(process.execPath, ["--input-type=module", "-e", code], { cwd: consumer, encoding: "utf8" });

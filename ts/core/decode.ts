@@ -1,28 +1,39 @@
 /** The inlined wasm, from text back to bytes. */
-import { TEXT, decoder } from "../../build/bindings/wasm-decoder.js";
+import { STREAMS, decoder } from "../../build/bindings/wasm-decoder.js";
 import { latin, utf8 } from "./utf8.js";
 
-/** What the decoder offers. */
+/** What the decoder offers; all numbers are places in its memory but `shift`. */
 interface Decoder {
-  /** Reads the UTF-8 that ends there, of code points below 256 plus `shift`, writes the wasm from `out` on, and returns where that ends. */
-  decode(end: number, shift: number, out: number): number;
+  /** Makes bytes of the UTF-8 there, of code points below 256 plus `shift`. */
+  plain(from: number, end: number, shift: number): void;
+  /** Puts together the streams of a wasm from its own bytes and another's, and returns where they end. */
+  fill(own: number, other: number): number;
+  /** Writes the wasm from `out` on, and returns where that ends. */
+  decode(out: number): number;
 }
 
 const PAGE = 65536;
 
 /**
- * The wasm of so many bytes whose text was inlined by the build. A few hundred bytes of wasm do it: cold JavaScript takes
- * milliseconds for so long a loop.
+ * The wasm whose text was inlined by the build, with so much room for its streams and itself; what it has in common with another is only
+ * in the other's text. A thousand bytes of wasm do it: cold JavaScript takes milliseconds for so long a loop.
  * @internal
  */
-export function decoded(text: string, shift: number, size: number): Uint8Array<ArrayBuffer> {
+export function decoded(room: number, text: string, shift: number, other = "", otherShift = 0): Uint8Array<ArrayBuffer> {
   const { Instance, Memory, Module } = WebAssembly;
-  const given = utf8(text);
-  const start = TEXT + given.length;
-  const memory = new Memory({ initial: Math.ceil((start + size) / PAGE) });
+  const own = utf8(text);
+  const others = utf8(other);
+  const from = STREAMS + room;
+  const there = from + own.length;
+  const end = there + others.length;
+  const memory = new Memory({ initial: Math.ceil((end + 1) / PAGE) });
   const bytes = new Uint8Array(memory.buffer as ArrayBuffer);
-  bytes.set(given, TEXT);
+  bytes.set(own, from);
+  bytes.set(others, there);
   const module = new Module(latin(decoder));
-  const { decode } = new Instance(module, { "": { memory } }).exports as unknown as Decoder;
-  return bytes.subarray(start, decode(start, shift, start));
+  const { plain, fill, decode } = new Instance(module, { "": { memory } }).exports as unknown as Decoder;
+  plain(from, there, shift);
+  plain(there, end, otherShift);
+  const out = fill(from, there);
+  return bytes.subarray(out, decode(out));
 }
