@@ -12,8 +12,10 @@ export const STREAMS = 32768;
  * `fill` copies runs from those bytes and from another wasm's to STREAMS, and returns where they end. `decode` puts together what is there,
  * from `out` on, and returns where that ends.
  *
- * At 0 it keeps where each row begins, at 1024 how far each stream is read, for each type of locals (0x7b to 0x7f, four bytes each) after
- * 1536 where its list ends, and after 2048 the number of the next new one. The lists themselves, of those in use, are at 256 times the type.
+ * At 0 it keeps where each row begins, and at 1024 how far each stream is read; 1428 is where the types of functions begin in what it has
+ * written, and 1432 how far the list of the functions' types is read there. For each type of locals (0x7b to 0x7f, four bytes each) it keeps
+ * after 1536 where its list ends, and after 2048 the number of the next new one. The lists themselves, of those in use, are at 256 times the
+ * type.
  */
 const DECODER = `
 (module
@@ -65,6 +67,8 @@ const DECODER = `
   (func (export "decode") (param $out i32) (result i32)
     (local $from i32) (local $to i32) (local $i i32) (local $streams i32) (local $mode i32) (local $end i32)
     (local $bytes i32) (local $items i32) (local $value i32) (local $body i32) (local $place i32) (local $row i32)
+    (local $signature i32) (local $start i32)
+    (local.set $start (local.get $out))
 
     ;; Where rows and streams begin.
     (local.set $streams (i32.shl (i32.load8_u (i32.const ${STREAMS})) (i32.const 2)))
@@ -158,23 +162,34 @@ const DECODER = `
                 (br $item)))
             (if (i32.eq (local.get $mode) (i32.const 252))
               (then
+                (if (i32.eqz (local.get $body)) (then (call $sections (local.get $start))))
                 (local.set $body (local.get $out))
                 (local.set $from (i32.const 0x7b))
                 (loop $list
                   (i32.store offset=1536 (i32.shl (local.get $from) (i32.const 2)) (i32.shl (local.get $from) (i32.const 8)))
                   (local.set $from (i32.add (local.get $from) (i32.const 1)))
                   (br_if $list (i32.lt_u (local.get $from) (i32.const 0x80))))
-                ;; Parameters, the last one first.
-                (local.set $value (call $next (local.get $i)))
-                (local.set $from (local.get $value))
-                (loop $parameter
-                  (if (local.get $from)
+                ;; Parameters: of the function's type, after those that come before it.
+                (local.set $signature (i32.load (i32.const 1428)))
+                (local.set $value (call $number (i32.const 408)))
+                (loop $skipped
+                  (local.set $signature (i32.add (local.get $signature) (i32.const 1)))
+                  (local.set $from (i32.load8_u (local.get $signature)))
+                  (if (local.get $value)
                     (then
-                      (local.set $from (i32.sub (local.get $from) (i32.const 1)))
-                      (local.set $mode (i32.shl (call $next (local.get $i)) (i32.const 2)))
+                      (local.set $value (i32.sub (local.get $value) (i32.const 1)))
+                      (local.set $signature (i32.add (i32.add (local.get $signature) (local.get $from)) (i32.const 1)))
+                      (local.set $signature (i32.add (i32.add (local.get $signature) (i32.load8_u (local.get $signature))) (i32.const 1)))
+                      (br $skipped))))
+                (loop $parameter
+                  (if (i32.lt_u (local.get $value) (local.get $from))
+                    (then
+                      (local.set $signature (i32.add (local.get $signature) (i32.const 1)))
+                      (local.set $mode (i32.shl (i32.load8_u (local.get $signature)) (i32.const 2)))
                       (local.set $place (i32.load offset=1536 (local.get $mode)))
-                      (i32.store8 (local.get $place) (local.get $from))
+                      (i32.store8 (local.get $place) (local.get $value))
                       (i32.store offset=1536 (local.get $mode) (i32.add (local.get $place) (i32.const 1)))
+                      (local.set $value (i32.add (local.get $value) (i32.const 1)))
                       (br $parameter))))
                 ;; How many locals there are of which type.
                 (local.set $from (call $next (local.get $i)))
@@ -209,6 +224,24 @@ const DECODER = `
       (local.set $row (i32.add (local.get $row) (i32.const 1)))
       (br_if $operation (i32.lt_u (local.get $row) (local.get $end))))
     (local.get $out))
+
+  ;; Where types of functions are, and the types of the functions one by one, which are as streams are.
+  (func $sections (param $start i32)
+    (local $section i32) (local $end i32)
+    (i32.store (i32.const 1432) (i32.add (local.get $start) (i32.const 8)))
+    (loop $next
+      (local.set $section (call $next (i32.const 408)))
+      (local.set $end (call $number (i32.const 408)))
+      (local.set $end (i32.add (local.get $end) (i32.load (i32.const 1432))))
+      (if (i32.eq (local.get $section) (i32.const 1))
+        (then
+          (drop (call $number (i32.const 408)))
+          (i32.store (i32.const 1428) (i32.load (i32.const 1432)))))
+      (if (i32.ne (local.get $section) (i32.const 3))
+        (then
+          (i32.store (i32.const 1432) (local.get $end))
+          (br $next))))
+    (drop (call $number (i32.const 408))))
 
   ;; The next byte of a stream.
   (func $next (param $i i32) (result i32)

@@ -97,9 +97,9 @@ function raw(bytes) {
   return parts.map((part) => ({ code: [], items: [["raw", counted(part)]] }));
 }
 
-/** The parameters' types from the last one to the first, and the locals: what the decoder needs before the first use of one. */
-function beginning({ parameters, locals }) {
-  return { code: [], items: [["function", [parameters.length, ...parameters.toReversed(), locals.length, ...locals.flat()]]] };
+/** The locals of a function, without its parameters: those follow from its type. */
+function beginning({ locals }) {
+  return { code: [], items: [["function", [locals.length, ...locals.flatMap(([count, type]) => [...leb(count), type])]]] };
 }
 
 /** The locals of a function in use, of each type those used last first. */
@@ -108,7 +108,7 @@ class Recency {
     this.types = typesOf(f);
     if (this.types.length > 255) throw new Error("a function has more locals than a byte can count");
     this.lists = new Map([...TYPE_NAMES.keys()].map((type) => [type, []]));
-    f.parameters.forEach((type, local) => this.lists.get(type).push(local));
+    f.parameters.forEach((type, local) => this.lists.get(type).unshift(local));
   }
 
   /** The stream of a use, and its item. */
