@@ -424,3 +424,69 @@ fn the_noise_of_few_points_is_still_told() {
         }
     }
 }
+
+/// Points of an ellipse 200 long, evenly by their angle or by length, turned.
+fn ellipse(count: usize, ratio: f64, begin: f64, even: bool, turned: f64) -> Vec<Point> {
+    const FINE: usize = 4000;
+    let at = |angle: f64| Point::new(100.0 * libm::cos(angle), 100.0 * ratio * libm::sin(angle));
+    let dense: Vec<Point> = (0..=FINE).map(|i| at(2.0 * PI * i as f64 / FINE as f64)).collect();
+    let mut lengths = vec![0.0];
+    for pair in dense.windows(2) {
+        lengths.push(lengths[lengths.len() - 1] + (pair[1] - pair[0]).norm());
+    }
+    let place = |i: usize| {
+        let share = (i as f64 + begin) / count as f64;
+        let point = if even {
+            dense[lengths.partition_point(|length| *length < share * lengths[FINE])]
+        } else {
+            at(2.0 * PI * share)
+        };
+        let (cosine, sine) = (libm::cos(turned), libm::sin(turned));
+        Point::new(cosine * point.x - sine * point.y, sine * point.x + cosine * point.y)
+    };
+    (0..count).map(place).collect()
+}
+
+/// How many corners a closed curve near these points has.
+fn corners(points: &[Point], ask: Ask) -> usize {
+    let found = fit(points, ask, &closed()).expect("it can be fitted");
+    found.knots.iter().filter(|knot| knot.degree == 1).count()
+}
+
+#[test]
+fn few_clean_points_of_an_ellipse_have_no_corner() {
+    // Corners are cheap where points are few: two of five had some without a strength, three of four within a ten-thousandth.
+    for count in [9, 12, 15, 20, 28, 40] {
+        for ratio in [0.3, 0.5, 0.8] {
+            for (begin, even, turned) in
+                [(0.0, false, 0.0), (0.5, false, 0.4), (0.25, true, 1.2), (0.5, true, 2.2)]
+            {
+                let points = ellipse(count, ratio, begin, even, turned);
+                for ask in [Ask::Noise, Ask::Tolerance(0.02), Ask::Tolerance(1.0)] {
+                    let found = corners(&points, ask.clone());
+                    assert_eq!(found, 0, "{count} points, {ratio}, from {begin}, by length: {even}, {ask:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn corners_of_few_points_are_corners_all_the_same() {
+    // Two arcs of 69° and of 103° with tips of 111° and of 77°, which are points or lie between two; and half a disc.
+    let lens = |half: f64, count: usize, begin: f64| -> Vec<Point> {
+        let place = |i: usize| {
+            let way = 2.0 * (i as f64 + begin) / count as f64;
+            let (angle, up) = (half * (2.0 * (way % 1.0) - 1.0), if way < 1.0 { 1.0 } else { -1.0 });
+            let (x, y) = (-100.0 * libm::sin(angle), 100.0 * (libm::cos(angle) - libm::cos(half)));
+            Point::new(up * x, up * y)
+        };
+        (0..count).map(place).collect()
+    };
+    for count in [16, 24, 36, 48] {
+        for (half, begin) in [(0.6, 0.0), (0.9, 0.0), (0.6, 0.5), (0.9, 0.5)] {
+            let found = corners(&lens(half, count, begin), Ask::Tolerance(1.0));
+            assert_eq!(found, 2, "arcs of {half} each way, {count} points from {begin}");
+        }
+    }
+}

@@ -5,6 +5,7 @@ mod description;
 mod finishing;
 
 use self::asking::Purpose;
+use self::description::best_of;
 use self::finishing::Finishing;
 use super::convex::problem::{Component, Problem, interpolating_grid, uniform_grid};
 use super::convex::solution::Status;
@@ -18,6 +19,7 @@ use super::outcome::Fit;
 use super::parametrise::Parametrisation;
 use super::report;
 use super::samples::{PER_POINT, Samples};
+use super::smooth::is_smooth;
 use crate::error::{Error, Result};
 use crate::limits::{self, LARGEST_LAMBDA};
 use crate::numerics::Point;
@@ -241,11 +243,12 @@ impl Fitter {
         Ok(())
     }
 
-    fn search(&mut self, aim: Aim) -> Result<()> {
+    #[inline(never)]
+    fn search(&mut self, aim: Aim, corners: bool) -> Result<()> {
         let degree = self.options.degrees.last().copied().unwrap_or(3);
         let sharpest = match aim {
             Aim::Squares(_) => 1,
-            _ if self.options.corners => degree,
+            _ if corners => degree,
             _ => (degree - 1).max(1),
         };
         let plan = |smoothest: usize| Plan {
@@ -271,7 +274,7 @@ impl Fitter {
         let free = degree > 1 && matches!(aim, Aim::Noise(_));
         let smooth = Plan { free, ..plan(1) };
         let mut rivals = vec![Sparsest::new(self.located.copied()?, smooth, aim, self.level)];
-        if self.options.corners {
+        if corners {
             let corners = Sparsest::from_corners(self.located.copied()?, plan(1), aim, self.level)?;
             let few = self.located.points.len() <= MOST_TWICE || aim.is_fine();
             let apart = matches!(aim, Aim::Tolerance(_)) && few;
@@ -359,7 +362,22 @@ impl Fitter {
                 iteration = self.rounds;
             }
         }
+        if done
+            && !spent
+            && let Some(aim) = self.aim_without_corners()
+        {
+            self.search(aim, false)?;
+            done = false;
+        }
         Ok(Progress { done, iteration, gap })
+    }
+
+    /// What a search aimed at that found corners where few points show none: fewer knots are cheap between few points.
+    #[inline(never)]
+    fn aim_without_corners(&self) -> Option<Aim> {
+        let Run::Search(searches) = &self.run else { return None };
+        let seeming = best_of(searches).has_corners() && self.own.is_empty() && is_smooth(&self.samples);
+        seeming.then(|| searches[0].aim())
     }
 
     /// The best curve so far, and what is known of it.

@@ -37,6 +37,7 @@ mod outline;
 mod parametrise;
 mod report;
 mod samples;
+mod smooth;
 
 pub use convex::interval::Local;
 pub use convex::price::{

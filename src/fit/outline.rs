@@ -90,6 +90,7 @@ pub(super) fn between(parameters: &mut Vec<f64>, end: &mut f64, own: &[u32], cou
 }
 
 /// The way from each point to the next.
+#[inline(never)]
 pub(super) fn steps(samples: &Samples) -> Vec<Vector> {
     let count = samples.points.len();
     let last = if samples.closed { count } else { count - 1 };

@@ -77,13 +77,16 @@ impl Fitter {
                 let place = self.samples.center.amax() / self.samples.scale;
                 let least = f64::EPSILON * (ROUNDINGS + place);
                 let left = tolerance - report::rounding(&self.samples);
-                self.search(Aim::Tolerance((left / self.samples.scale).max(least)))?;
+                self.search(Aim::Tolerance((left / self.samples.scale).max(least)), self.options.corners)?;
             }
             Ask::MeanSquare(square) => {
                 check("meanSquare", None, *square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;
                 self.locate(Purpose::Papers, &ask)?;
                 let unit = self.samples.scale * self.samples.scale;
-                self.search(Aim::Squares(square * report::weight(&self.located) / unit))?;
+                self.search(
+                    Aim::Squares(square * report::weight(&self.located) / unit),
+                    self.options.corners,
+                )?;
             }
             Ask::Noise => {
                 // Where nothing tells about the noise, the curve goes through the points.
@@ -92,7 +95,10 @@ impl Fitter {
                 let drawn = untold || self.samples.closed;
                 self.locate(Purpose::Search(drawn.then_some(WIDEST * self.noise)), &ask)?;
                 let noise = self.level.max(self.least_noise());
-                self.search(if untold { Aim::Tolerance(noise) } else { Aim::Noise(noise) })?;
+                self.search(
+                    if untold { Aim::Tolerance(noise) } else { Aim::Noise(noise) },
+                    self.options.corners,
+                )?;
             }
         }
         (self.ask, self.rounds) = (ask, 0);

@@ -25,27 +25,31 @@ pub(super) fn ended(status: Status) -> FitStatus {
     }
 }
 
+/// The search with the fewest pieces among those that reached what was asked for.
+#[inline(never)]
+pub(super) fn best_of(searches: &[Sparsest]) -> &Sparsest {
+    let mut best = &searches[0];
+    for search in &searches[1..] {
+        let kept = [search, best].map(|search| search.status() == FitStatus::Converged);
+        let better = match kept {
+            [true, true] => search.merit() < best.merit(),
+            // Of curves that are all too far away the nearest is the best.
+            [false, false] => search.is_done() && search.merit().1 < best.merit().1,
+            [kept, _] => kept,
+        };
+        if better {
+            best = search;
+        }
+    }
+    best
+}
+
 impl Fitter {
     pub(super) fn described(&self) -> Result<Fit> {
         match &self.run {
             Run::Idle => Err(Error::degenerate("points", None, "nothing was asked for yet")),
             Run::Choice(rivals, _) => self.searched(&rivals[0]),
-            Run::Search(searches) => {
-                let mut best = &searches[0];
-                for search in &searches[1..] {
-                    let kept = [search, best].map(|search| search.status() == FitStatus::Converged);
-                    let better = match kept {
-                        [true, true] => search.merit() < best.merit(),
-                        // Of curves that are all too far away the nearest is the best.
-                        [false, false] => search.is_done() && search.merit().1 < best.merit().1,
-                        [kept, _] => kept,
-                    };
-                    if better {
-                        best = search;
-                    }
-                }
-                self.searched(best)
-            }
+            Run::Search(searches) => self.searched(best_of(searches)),
             Run::Convex(solver) => self.solved(solver, &solver.solution()?),
             Run::Finish(finishing) => self.finished(finishing),
         }

@@ -232,6 +232,19 @@ impl Sparsest {
         }
     }
 
+    /// What the curve is to keep to.
+    pub(in crate::fit) fn aim(&self) -> Aim {
+        self.asked.aim
+    }
+
+    /// Whether the best curve so far has corners and might have none.
+    pub(in crate::fit) fn has_corners(&self) -> bool {
+        self.found.as_ref().is_some_and(|found| {
+            let breaks = &found.spline.space.breaks;
+            breaks.degree > 1 && breaks.multiplicity.contains(&breaks.degree)
+        })
+    }
+
     /// Whether the search has ended.
     pub(in crate::fit) fn is_done(&self) -> bool {
         self.phase == Phase::Done
