@@ -15,7 +15,7 @@
 //
 // Where there are more kinds of operations than rows, the rarest are items of the raw stream, as they are: of them, those without locals.
 //
-// DECODER, in inline-wasm.mjs, puts it together.
+// The decoder (decoder.mjs) puts it together.
 
 import { typesOf } from "./number-locals.mjs";
 import { bodyOf, bytesOf, headOf, leb, numberOf, takenApart } from "./wasm-functions.mjs";

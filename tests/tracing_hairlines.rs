@@ -9,7 +9,7 @@ use core::f64::consts::{PI, TAU};
 
 use expline::curve::Curve;
 use expline::trace::{Color, TracedContour};
-use support::colors::{BLUE, RED, WHITE, YELLOW, draw, traced as traced_layers};
+use support::colors::{BLUE, RED, WHITE, YELLOW, disc, draw, palette, traced as traced_layers};
 use support::pictures::{draw_finely, traced};
 
 const SIDE: usize = 160;
@@ -92,5 +92,44 @@ fn coloured_outlines_of_a_pixel_are_whole_and_as_thick_as_they_are() {
                 "the ground"
             );
         }
+    }
+}
+
+/// Of a ring of one pixel in red on white the census found red, white and a pink, in 25 pieces.
+#[test]
+fn what_two_rows_share_of_an_outline_is_no_colour_of_its_own() {
+    for (ground, color) in [(WHITE, RED), (BLUE, YELLOW), (PAPER, TEAL)] {
+        for ((name, far, _), width) in lines().into_iter().flat_map(|line| WIDTHS.map(|width| (line, width)))
+        {
+            let paint = |x: f64, y: f64| Some(if far(x, y) < 0.5 * width { color } else { ground });
+            let bytes = draw(SIDE, SIDE, &paint);
+            let found = palette(SIDE, &bytes, 4);
+            assert_eq!(found.len(), 2, "{name} of {width} in {color:?} on {ground:?}: {found:?}");
+            let layers = traced_layers(SIDE, SIDE, &bytes, &found);
+            let counts: Vec<usize> = layers.iter().map(|layer| layer.contours.len()).collect();
+            assert_eq!(counts, [1, 2], "{name} of {width} in {color:?}: the ground, outside and inside");
+        }
+    }
+}
+
+/// Black and white mixed, but black is broad: nothing of its edge is alike all around.
+#[test]
+fn a_gray_line_beside_a_black_disc_is_gray() {
+    for (width, slope) in
+        [3.0, 4.0].into_iter().flat_map(|width| [0.1, 0.15, 0.3].map(|slope| (width, slope)))
+    {
+        let gray = [128; 3];
+        let paint = |x: f64, y: f64| {
+            let off = (y - 90.3 - slope * (x - 80.0)).abs() / 1.0_f64.hypot(slope);
+            Some(if disc(x, y, 40.0, 40.0, 25.3) {
+                BLACK
+            } else if off < 0.5 * width {
+                gray
+            } else {
+                WHITE
+            })
+        };
+        let found = palette(SIDE, &draw(SIDE, SIDE, &paint), 6);
+        assert!(found.contains(&gray) && found.len() == 3, "{width} at {slope}: {found:?}");
     }
 }

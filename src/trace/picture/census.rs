@@ -25,6 +25,8 @@ const ROWS: usize = 5;
 struct Bin {
     weight: u64,
     flat: u64,
+    /// How many have neighbours like them on all four sides.
+    inner: u64,
     all: u64,
     sums: [u64; 4],
     /// As much of the weight, and of the flat ones, as is on an edge of hues.
@@ -80,13 +82,14 @@ impl Census {
             if pixel[3] < FAINT {
                 continue;
             }
-            let (weight, is_bled) = weight(&rows, column);
+            let (weight, is_bled, is_inner) = weight(&rows, column);
             // A share of a colour says which one that is, if nothing else does.
             let bin = &mut self.bins[index(pixel, weight > 0)];
             bin.all += 1;
             bin.weight += weight;
             let flat = u64::from(weight == FLAT);
             bin.flat += flat;
+            bin.inner += u64::from(is_inner);
             if is_bled {
                 bin.bled += weight;
                 bin.bled_flat += flat;
@@ -137,7 +140,7 @@ impl Census {
                 opacity = if i >> (3 * BITS) == 0 { 255.0 } else { all };
             }
             let weight = count as f64 / FLAT as f64;
-            items.push(Item::new(weight, flat as f64, rgb, opacity));
+            items.push(Item::new(weight, [flat, bin.inner].map(|count| count as f64), rgb, opacity));
         }
         Ok(items)
     }
@@ -154,28 +157,28 @@ fn around(rows: &[&[[u8; 4]]; ROWS], column: usize, reach: usize) -> [[u8; 4]; 4
     [or(left, right), or(right, left), or(above, below), or(below, above)]
 }
 
-/// What a pixel counts for, by the rows around it, and whether it is on an edge of hues.
-fn weight(rows: &[&[[u8; 4]]; ROWS], column: usize) -> (u64, bool) {
+/// What a pixel counts for, by the rows around it, whether it is on an edge of hues, and whether all is alike around it.
+fn weight(rows: &[&[[u8; 4]]; ROWS], column: usize) -> (u64, bool, bool) {
     let pixel = rows[ROWS / 2][column];
     let near = around(rows, column, 1);
     if near == [pixel; 4] {
-        return (FLAT, false);
+        return (FLAT, false, true);
     }
     if pixel[3] < OPAQUE {
-        return (0, false);
+        return (0, false, false);
     }
     let (color, near) = (pixel.map(i32::from), near.map(|near| near.map(i32::from)));
     let is_alike = |k: usize| is_like(&color, &near[k]);
     let is_flat = is_alike(0) && is_alike(2);
     if is_flat && is_alike(1) && is_alike(3) {
-        return (FLAT, false);
+        return (FLAT, false, true);
     }
     if is_on_edge(&color, near.each_ref()) {
-        return (0, false);
+        return (0, false, false);
     }
     let is_bled =
         is_bled(&color, &near) || is_bled(&color, &around(rows, column, 2).map(|far| far.map(i32::from)));
-    (if is_flat { FLAT } else { 1 }, is_bled)
+    (if is_flat { FLAT } else { 1 }, is_bled, false)
 }
 
 fn index(pixel: &[u8; 4], is_color: bool) -> usize {

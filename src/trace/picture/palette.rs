@@ -18,6 +18,8 @@ const MOST_AROUND: f64 = 8.0;
 const AROUND: f64 = 0.022;
 /// and where as many pixels show it, most of them flat.
 const LEAST_PURE: f64 = 8.0;
+/// A colour that is nowhere broader than two pixels has less than one part in so many alike all around.
+const NARROW: f64 = 40.0;
 /// What is nearer than this to a cluster's heaviest bin belongs to the same flat colour.
 const CORE: f64 = 0.04;
 /// Fewer pixels are no colour.
@@ -32,6 +34,8 @@ pub(super) struct Item {
     weight: f64,
     /// How much of that is flat.
     flat: f64,
+    /// How much of it is alike all around.
+    inner: f64,
     /// On white.
     lab: [f64; 3],
     rgb: [f64; 3],
@@ -44,10 +48,10 @@ pub(super) struct Item {
 }
 
 impl Item {
-    /// Of so many pixels, as many of them flat.
-    pub(super) fn new(weight: f64, flat: f64, rgb: [f64; 3], opacity: f64) -> Self {
+    /// Of so many pixels, as many of them flat, and as many alike all around.
+    pub(super) fn new(weight: f64, [flat, inner]: [f64; 2], rgb: [f64; 3], opacity: f64) -> Self {
         let lab = oklab(on_white(rgb, opacity));
-        Self { weight, flat, lab, rgb, opacity, cluster: 0, gap: 1.0, is_weak: false }
+        Self { weight, flat, inner, lab, rgb, opacity, cluster: 0, gap: 1.0, is_weak: false }
     }
 }
 
@@ -59,6 +63,8 @@ struct Found {
     /// Whether it was seen in thin places mostly.
     is_thin: bool,
     is_pure: bool,
+    /// Whether it was hardly seen anywhere but in things of one or two pixels.
+    is_narrow: bool,
 }
 
 /// At most `most` colours, those of most pixels first. Every colour after the first is the one that most pixels are far from; then k-means
@@ -156,16 +162,22 @@ fn is_pure(items: &[Item], item: &Item) -> bool {
         && MOST_AROUND * (weight_around(items, &item.lab, AROUND) - item.weight) < item.weight
 }
 
-/// Thin places show a colour mixed with what is beside them as well: such a mixture of two others is no colour.
+/// Thin places show a colour mixed with what is beside them as well: such a mixture of two others is no colour. A stroke of a pixel that two rows
+/// share looks like one of two pixels, where nothing of its own colour is any broader.
 fn leave_mixtures_out(colors: &mut Vec<Found>) {
     let mut k = 0;
     while k < colors.len() {
-        let others: Vec<_> =
-            (0..colors.len()).filter(|&i| i != k).map(|i| colors[i].color.premultiplied()).collect();
-        let here = colors[k].color.premultiplied();
-        let is_mixture =
-            || others.iter().any(|from| others.iter().any(|to| is_between(&here, from, to, MIXED)));
-        if colors[k].is_thin && is_mixture() {
+        let here = &colors[k];
+        let color = here.color.premultiplied();
+        let is_between = |from: &Found, to: &Found| {
+            is_between(&color, &from.color.premultiplied(), &to.color.premultiplied(), MIXED)
+        };
+        let is_shared = here.is_narrow && !here.is_pure;
+        let others = || colors.iter().enumerate().filter(|&(i, _)| i != k).map(|(_, other)| other);
+        let is_mixture = |from: &Found| {
+            (here.is_thin || is_shared && from.is_narrow) && others().any(|to| is_between(from, to))
+        };
+        if others().any(is_mixture) {
             colors.remove(k);
         } else {
             k += 1;
@@ -206,6 +218,7 @@ fn color_of(items: &[Item], cluster: usize) -> Option<Found> {
     })?;
     let whole: f64 = own().map(|item| item.weight).sum();
     let is_thin = 2.0 * own().map(|item| item.flat).sum::<f64>() < whole;
+    let is_narrow = NARROW * own().map(|item| item.inner).sum::<f64>() < whole;
     let (mut weight, mut sum) = (0.0, [0.0; 4]);
     let is_alike = |item: &&Item| {
         // Of the same look, but not of the same opacity.
@@ -222,7 +235,7 @@ fn color_of(items: &[Item], cluster: usize) -> Option<Found> {
     let rgb = [red, green, blue];
     let color = Tint { color: rgb.map(rounded), opacity: rounded(opacity) };
     let lab = oklab(on_white(rgb, opacity));
-    Some(Found { weight: whole, lab, color, is_thin, is_pure: is_pure(items, heaviest) })
+    Some(Found { weight: whole, lab, color, is_thin, is_pure: is_pure(items, heaviest), is_narrow })
 }
 
 /// A colour of sRGB in Oklab.
