@@ -47,6 +47,7 @@ fn cover(gray: &Gray, tones: &Tones, x: isize, y: isize) -> Option<f64> {
 }
 
 /// ∫ c (1 − c) across the edge at a place of a contour, which lies between the centres of two pixels of a row or a column.
+/// c is 0 at one end of the edge's way and 1 at the other, whether it reaches both tones or not.
 fn width(place: &Point, gray: &Gray, tones: &Tones) -> Option<f64> {
     let cover = |x: isize, y: isize| cover(gray, tones, x, y);
     let (x, y) = ((place.x - 0.5).floor() as isize, (place.y - 0.5).floor() as isize);
