@@ -23,7 +23,7 @@ use super::picture::light::Evening;
 use super::picture::tones::{ToneScan, Tones};
 use super::quality::Quality;
 use super::refinement::field::Shading;
-use super::refinement::{Pixels, Refinement};
+use super::refinement::{Other, Pixels, Refinement};
 use super::samples::Samples;
 use super::work::{Progress, Stage, Trace, TracedContour, Work};
 use crate::curve::HermiteCurve;
@@ -271,27 +271,32 @@ impl InkWork {
     fn refine(&mut self) -> Result<f64> {
         let Phase::Refinement(refinement) = &mut self.phase else { return Ok(0.0) };
         let chords = refinement.is_grainy();
-        let rule = DivisionRule { chords, ..Quality::Rough.division_rule(&self.options) };
+        let rough = DivisionRule { chords, ..Quality::Rough.division_rule(&self.options) };
         let (contours, kinds, places) = (&self.found, &self.kinds, &mut self.samples);
         let corner_rules = Quality::Rough.corner_rules(self.options.corner);
         let (found, division) = (&mut self.rough_corners, &mut self.division);
-        let mut rough = |i: usize| {
+        let mut begin = |i: usize, other: Other| {
             let Some(samples) = places else {
                 *places = Some(sampled(&contours[i], kinds[i])?);
                 return Ok(None);
             };
+            let coarse = other == Other::Coarse;
             let outline = if let Some(corners) = found.as_ref() {
-                division.get_or_insert_with(Division::new).step(samples, corners, &rule)
-            } else {
+                let rule = if coarse { &rough } else { &DivisionRule::ALONG };
+                division.get_or_insert_with(Division::new).step(samples, corners, rule)
+            } else if coarse {
                 *found = Some(corners(samples, &corner_rules));
                 round(samples.places(), ROUND * Quality::Rough.slack())
+            } else {
+                *found = Some(Vec::new());
+                None
             };
             if outline.is_some() {
                 (*found, *division, *places) = (None, None, None);
             }
             Ok(outline)
         };
-        let cost = refinement.step(&mut rough)?;
+        let cost = refinement.step(&mut begin)?;
         if self.strokes.is_some()
             && let Some(left) = refinement.settled()?
         {

@@ -1,5 +1,6 @@
 //! All outlines of a picture refined against it, one after another: first as they are, then with fewer and fewer joints.
 
+mod again;
 mod bends;
 mod blocks;
 mod coverage;
@@ -27,6 +28,7 @@ mod trial;
 mod unknowns;
 mod window;
 
+use self::again::Again;
 use self::bends::BendRule;
 use self::blocks::{BLOCK, block_end};
 use self::fewer::Thinning;
@@ -55,6 +57,18 @@ const LAST_STEPS: (usize, f64) = (8, 4e-3);
 const SHARED_STEPS: (usize, f64) = (12, 4e-3);
 /// Pictures that say only which centres are inside are blurred by so many pixels, together with the coverage of their outlines (D 14.27).
 const AVERAGED: f64 = 1.2;
+
+/// Another first outline of a contour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Other {
+    /// Along it, whatever may be corners.
+    Along,
+    /// As of pixels that say less.
+    Coarse,
+}
+
+/// Goes on with another first outline of a contour, and gives it in the end.
+pub(super) type Begin<'a> = dyn FnMut(usize, Other) -> Result<Option<Outline>> + 'a;
 
 /// What a picture shows, and how exactly.
 pub(super) struct Pixels<'a> {
@@ -91,6 +105,8 @@ pub(super) struct Refinement {
     sure: Option<usize>,
     fine: Fine,
     thinning: Thinning,
+    /// What an outline leaves that begins again, root mean square of coverage.
+    poor: f64,
 }
 
 /// What is known by now of how exactly the picture's pixels say where edges are.
@@ -138,19 +154,27 @@ struct Place {
     refined: bool,
     /// How often the pieces of this outline have been halved.
     halvings: usize,
+    /// What the outline was, while it begins again.
+    again: Option<Again>,
 }
 
 /// What the outlines were before pieces were halved.
 #[derive(Debug, Default)]
 struct Fine {
-    /// Each, and what it left of the picture.
-    outlines: Vec<(Outline, Left)>,
-    /// What all left together.
+    outlines: Vec<FineOutline>,
+    /// What all left together, once all have begun.
     left: Left,
-    /// What was left where outlines run nearly along rows or columns.
-    level: Vec<f64>,
     /// Outlines that rough ones took the place of.
     replaced: usize,
+}
+
+/// One of them.
+#[derive(Debug, Default)]
+struct FineOutline {
+    outline: Outline,
+    /// What it left of the picture, and where it runs nearly along rows or columns.
+    left: Left,
+    level: Vec<f64>,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -158,6 +182,7 @@ enum Phase {
     #[default]
     Show,
     First,
+    Again,
     Rough,
     Fewer,
     Done,
@@ -211,6 +236,7 @@ impl Refinement {
             sure: None,
             fine: Fine::default(),
             thinning: Thinning::default(),
+            poor: 0.0,
         })
     }
 
@@ -239,9 +265,8 @@ impl Refinement {
         Phase::Done as usize * self.shapes.len()
     }
 
-    /// A bit more; its cost in about microseconds. `rough` goes on with a coarser outline of a contour, and gives it
-    /// in the end.
-    pub(super) fn step(&mut self, rough: &mut dyn FnMut(usize) -> Result<Option<Outline>>) -> Result<f64> {
+    /// A bit more; its cost in about microseconds.
+    pub(super) fn step(&mut self, begin: &mut Begin) -> Result<f64> {
         if self.blurring.is_some() && self.place.phase > Phase::Show {
             self.blur_on()?;
             return Ok(2000.0);
@@ -264,7 +289,8 @@ impl Refinement {
         let done = match self.place.phase {
             Phase::Show => self.show_on(),
             Phase::First => self.first_on()?,
-            Phase::Rough => self.rough_on(rough)?,
+            Phase::Again => self.again_on(begin)?,
+            Phase::Rough => self.rough_on(begin)?,
             Phase::Fewer => {
                 if let Some(cost) = self.fewer()? {
                     return Ok(cost);
@@ -297,25 +323,31 @@ impl Refinement {
         Ok(())
     }
 
-    /// A bit of the first steps of the outline, before and after pieces are halved; whether that was the last.
+    /// A bit of the first steps of the outline; whether that was the last. What it is before pieces are halved is kept.
     fn first_on(&mut self) -> Result<bool> {
+        let done = self.converge_on()?;
+        if self.place.refined && self.fine.outlines.len() == self.place.at {
+            self.fine.outlines.push(FineOutline::of(&self.shapes[self.place.at], &self.field));
+        }
+        Ok(done)
+    }
+
+    /// A bit of the outline's steps, before and after pieces are halved; whether that was the last.
+    fn converge_on(&mut self) -> Result<bool> {
         if self.place.refined {
             self.place.refined = false;
             return Ok(!self.is_halved()?);
         }
         let steps = if self.refiner.shares() { SHARED_STEPS } else { STEPS };
         self.place.refined = self.refine_on(steps)?;
-        if self.place.refined && self.fine.outlines.len() == self.place.at {
-            self.fine.note(&self.shapes[self.place.at], &self.field);
-        }
         Ok(false)
     }
 
     /// A coarser outline takes the place of the fine one, and then its steps; whether that was the last bit.
-    fn rough_on(&mut self, rough: &mut dyn FnMut(usize) -> Result<Option<Outline>>) -> Result<bool> {
+    fn rough_on(&mut self, begin: &mut Begin) -> Result<bool> {
         let at = self.place.at;
         if self.fine.replaced == at {
-            if let Some(mut outline) = rough(at)? {
+            if let Some(mut outline) = begin(at, Other::Coarse)? {
                 outline.cut_to(self.field.extent);
                 self.exchange(outline);
                 self.fine.replaced += 1;
@@ -332,7 +364,10 @@ impl Refinement {
             return false;
         }
         match self.place.phase {
-            Phase::First => self.fine.outlines.push((self.shapes[at].outline.clone(), Left::default())),
+            Phase::First => self
+                .fine
+                .outlines
+                .push(FineOutline { outline: self.shapes[at].outline.clone(), ..FineOutline::default() }),
             Phase::Rough => self.fine.replaced += 1,
             _ => {}
         }
@@ -406,12 +441,10 @@ impl Refinement {
     }
 }
 
-impl Fine {
-    /// Takes note of the next outline.
-    fn note(&mut self, shape: &Shape, field: &Field) {
-        let left = shape.left(field);
-        self.outlines.push((shape.outline.clone(), left));
-        self.left.join(&left);
-        level(shape, field, &mut self.level);
+impl FineOutline {
+    fn of(shape: &Shape, field: &Field) -> Self {
+        let mut fine = Self { outline: shape.outline.clone(), left: shape.left(field), level: Vec::new() };
+        level(shape, field, &mut fine.level);
+        fine
     }
 }

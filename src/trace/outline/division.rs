@@ -30,6 +30,12 @@ pub(in crate::trace) struct DivisionRule {
     pub(in crate::trace) chords: bool,
 }
 
+impl DivisionRule {
+    /// Along a contour whose corners are not known: near enough for no stroke of a pixel to be cut off.
+    pub(in crate::trace) const ALONG: Self =
+        Self { gap: 0.0, straight: 0.06, least_run: 4.0, most: 0.12, rms: 0.06, reach: 1.0, chords: false };
+}
+
 /// Where a stretch begins or ends.
 #[derive(Clone, Copy, Debug)]
 struct Anchor {

@@ -33,6 +33,9 @@ const SHADE: u64 = 256;
 /// Fewer flat places than one in so many pixels of their side are few.
 const FEW: u32 = 8;
 
+/// More pixels than flat places that are beyond their tone by so many shades say that it is no tone, but that small letters are dense there.
+const DEEPER: usize = 16;
+
 /// Pixels that are looked at together, and where they are not all alike.
 const BLOCK: usize = 32;
 const PART: usize = 8;
@@ -164,7 +167,14 @@ impl ToneScan {
         let near: u32 = bins[middle.saturating_sub(1)..(middle + 2).min(256)].iter().sum();
         let (dark, light) = self.shades[0].split_at((flat.threshold + 1).min(256));
         let all: u32 = if side == 0 { dark } else { light }.iter().sum();
-        (FEW * total * self.stride as u32 >= all || 2 * near >= total).then_some(middle)
+        let flat = total * self.stride as u32;
+        let beyond: u32 = match side {
+            0 => &self.shades[0][..middle.saturating_sub(DEEPER)],
+            _ => &self.shades[0][(middle + DEEPER).min(256)..],
+        }
+        .iter()
+        .sum();
+        (beyond <= flat && (FEW * flat >= all || 2 * near >= total)).then_some(middle)
     }
 
     fn extremes(&self) -> (usize, usize) {

@@ -13,6 +13,13 @@ pub(super) struct Left {
 }
 
 impl Left {
+    /// That of some pieces.
+    pub(super) fn of(lists: &[Vec<Part>], field: &Field) -> Self {
+        let mut left = Self::default();
+        lists.iter().for_each(|parts| left.add(parts, field));
+        left
+    }
+
     #[inline(never)]
     pub(super) fn add(&mut self, parts: &[Part], field: &Field) {
         self.add_some(parts.iter(), field);

@@ -1,6 +1,6 @@
 //! What all outlines together say of the picture, and what is done with them next.
 
-use super::{KNOWN, Phase, Refinement};
+use super::{FineOutline, KNOWN, Phase, Refinement};
 use crate::error::Result;
 use crate::limits::with_room;
 use crate::numerics::order::nth;
@@ -23,7 +23,10 @@ const UNEVEN: f64 = 0.04;
 const ENOUGH: usize = 3;
 /// How many times as much as fine outlines rough ones may leave for the rest to be none of the drawing, root mean squares: where flat places
 /// are not flat, and where they are. There fine outlines follow the grain, which has the period of their pieces, and chords.
-const ROUGHER: [f64; 2] = [1.25, 3.5];
+const ROUGHER: [f64; 2] = [1.25, 1.2];
+/// Where flat places are flat, rough outlines may leave so many times the grain in any case: in small letters they leave five times as much, and are not
+/// what was drawn.
+const GRAINS: f64 = 2.0;
 /// How many times farther than in a picture of exact coverage a large outline may be from an ellipse that it is: what draws by samples draws chords that
 /// are up to a third of a pixel off.
 const FLATTENED: f64 = 7.5;
@@ -46,9 +49,14 @@ impl Refinement {
                 self.limits.noise = SAMPLED;
                 Phase::Fewer
             }
-            Phase::First => {
+            Phase::First if self.picture.quality == Quality::Clean => {
+                self.expect_more();
+                Phase::Again
+            }
+            Phase::First | Phase::Again => {
                 self.judge();
                 if self.picture.is_rough() {
+                    self.fine.outlines.iter().for_each(|fine| self.fine.left.join(&fine.left));
                     Phase::Rough
                 } else {
                     self.fine.outlines = Vec::new();
@@ -66,8 +74,10 @@ impl Refinement {
     /// Finds from what all outlines leave how exact the picture is, and what that allows.
     fn judge(&mut self) {
         let Grain { middle: own, lower, windows } = grain(&self.shapes, &self.field);
-        let level = middle(&mut self.fine.level);
-        let uneven = self.fine.level.len() >= ENOUGH && level > UNEVEN;
+        let mut levels: Vec<f64> =
+            self.fine.outlines.iter().flat_map(|fine| fine.level.iter().copied()).collect();
+        let level = middle(&mut levels);
+        let uneven = levels.len() >= ENOUGH && level > UNEVEN;
         self.picture.grain = if uneven { larger(own, level) } else { own };
         // What a few windows leave may be what their corners lack; grain is in most of them.
         let alike = lower > smaller(ALIKE * own, GRAINY[0]);
@@ -86,9 +96,14 @@ impl Refinement {
     fn choose(&mut self) {
         let grain = KNOWN * self.picture.grain;
         self.limits.grain = grain.min(GRAINIEST);
-        let (times, enough) =
-            if self.is_grainy() { (ROUGHER[1], grain) } else { (ROUGHER[0], self.picture.grain) };
-        for (shape, (outline, left)) in self.shapes.iter_mut().zip(core::mem::take(&mut self.fine.outlines)) {
+        let (times, enough) = if self.is_grainy() {
+            (ROUGHER[1], GRAINS * self.picture.grain)
+        } else {
+            (ROUGHER[0], self.picture.grain)
+        };
+        for (shape, FineOutline { outline, left, .. }) in
+            self.shapes.iter_mut().zip(core::mem::take(&mut self.fine.outlines))
+        {
             if shape.left(&self.field).rms() > larger(times * left.rms(), enough) {
                 self.refiner.replace(&mut self.field, shape, outline);
             }

@@ -78,9 +78,7 @@ impl Shape {
     }
 
     pub(super) fn left(&self, field: &Field) -> Left {
-        let mut left = Left::default();
-        self.parts.iter().for_each(|parts| left.add(parts, field));
-        left
+        Left::of(&self.parts, field)
     }
 }
 

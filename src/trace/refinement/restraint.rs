@@ -148,7 +148,7 @@ impl Back<'_> {
         let Way { between, pieces } = way;
         let stretch = Stretch { first: run.at, count: run.count, pieces, between };
         let mut window = Window::open(self.refiner, self.field, shape, stretch);
-        if !self.is_better(&self.left_in(&lists), (&before, &own), run, returns) {
+        if !self.is_better(&Left::of(&lists, self.field), (&before, &own), run, returns) {
             window.close(self.refiner, self.field);
             return Some(0);
         }
@@ -168,7 +168,7 @@ impl Back<'_> {
         }
         let old = shape.outline.clone();
         self.refiner.replace(self.field, shape, first.clone());
-        if !self.is_better(&self.left_in(&lists), (&before, &own), run, returns) {
+        if !self.is_better(&Left::of(&lists, self.field), (&before, &own), run, returns) {
             self.refiner.replace(self.field, shape, old);
         }
     }
@@ -183,20 +183,14 @@ impl Back<'_> {
         let all = shape.outline.len();
         let mut lists: Vec<Vec<Part>> =
             (0..run.count).map(|k| shape.parts[(run.at + k) % all].clone()).collect();
-        let own = self.left_in(&lists);
+        let own = Left::of(&lists, self.field);
         for i in 0..count {
             let mut list = Vec::new();
             parts(&back.cubic(i), self.field, &mut list);
             lists.push(list);
         }
-        let before = self.left_in(&lists);
+        let before = Left::of(&lists, self.field);
         (lists, before, own)
-    }
-
-    fn left_in(&self, lists: &[Vec<Part>]) -> Left {
-        let mut left = Left::default();
-        lists.iter().for_each(|list| left.add(list, self.field));
-        left
     }
 
     /// Whether the way back, which returns to the contour or not, explains the picture well enough.

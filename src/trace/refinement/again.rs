@@ -1,0 +1,82 @@
+//! Outlines that explain little of the picture begin again, along their contours: corners that were seen where there are none, or were not seen
+//! between strokes of a pixel, hold an outline where no step leads away from.
+
+use super::blocks::BLOCK;
+use super::coverage::parts;
+use super::grain::grain;
+use super::left::Left;
+use super::{Begin, FineOutline, Other, Refinement};
+use crate::error::Result;
+use crate::numerics::plane::larger;
+use crate::trace::outline::Outline;
+
+/// What leaves so much of coverage, root mean square, and so many times as much as the grain, is worth another beginning.
+const POOR: f64 = 0.02;
+const GRAINS: f64 = 3.0;
+/// The second way is taken if it leaves so much of the squares at most.
+const BETTER: f64 = 0.5;
+
+/// An outline that has begun again.
+#[derive(Debug)]
+pub(super) struct Again {
+    /// What it had come to.
+    before: Outline,
+    /// Where it begins now, and what it came to before pieces were halved.
+    first: Outline,
+    fine: Option<FineOutline>,
+}
+
+impl Refinement {
+    /// Finds from what all outlines leave how much is too much. What a quarter of the windows leave less than is told by outlines that are where they
+    /// belong.
+    pub(super) fn expect_more(&mut self) {
+        self.poor = larger(POOR, GRAINS * grain(&self.shapes, &self.field).lower);
+    }
+
+    /// A bit of the outline's second way, if there is to be one; whether that was the last. None of many pieces has one: it is no small letter.
+    pub(super) fn again_on(&mut self, begin: &mut Begin) -> Result<bool> {
+        let shape = &self.shapes[self.place.at];
+        let Some(again) = &mut self.place.again else {
+            if shape.outline.len() > BLOCK || shape.left(&self.field).rms() <= self.poor {
+                return Ok(true);
+            }
+            if let Some(mut first) = begin(self.place.at, Other::Along)? {
+                first.cut_to(self.field.extent);
+                let before = shape.outline.clone();
+                self.place.again = Some(Again { before, first: first.clone(), fine: None });
+                self.exchange(first);
+            }
+            return Ok(false);
+        };
+        if self.place.refined && again.fine.is_none() {
+            again.fine = Some(FineOutline::of(shape, &self.field));
+        }
+        let done = self.converge_on()?;
+        if done && let Some(again) = self.place.again.take() {
+            self.decide(again);
+        }
+        Ok(done)
+    }
+
+    /// Goes back to the first way, unless the second explains more in the pixels that either crosses.
+    fn decide(&mut self, Again { before, first, fine }: Again) {
+        let (at, field, refiner) = (self.place.at, &mut self.field, &mut self.refiner);
+        let shape = &mut self.shapes[at];
+        let mut both = shape.parts.clone();
+        for i in 0..before.len() {
+            let mut list = Vec::new();
+            parts(&before.cubic(i), field, &mut list);
+            both.push(list);
+        }
+        let second = Left::of(&both, field);
+        let after = shape.outline.clone();
+        refiner.replace(field, shape, before);
+        if second.square < BETTER * Left::of(&both, field).square {
+            refiner.replace(field, shape, after);
+            self.first[at] = first;
+            if let Some(fine) = fine {
+                self.fine.outlines[at] = fine;
+            }
+        }
+    }
+}
