@@ -14,8 +14,8 @@ export const STREAMS = 32768;
  *
  * At 0 it keeps where each row begins, and at 1024 how far each stream is read; 1428 is where the types of functions begin in what it has
  * written, and 1432 how far the list of the functions' types is read there. For each type of locals (0x7b to 0x7f, four bytes each) it keeps
- * after 1536 where its list ends, and after 2048 the number of the next new one. The lists themselves, of those in use, are at 256 times the
- * type.
+ * after 1536 where its list ends. The lists themselves, of those in use, are at 256 times the type. From 4096 on it writes what a function's
+ * locals are; how many there are one after the other of one type, and which, is at 8192. Doubles are at 16384, the first one of its own.
  */
 const DECODER = `
 (module
@@ -67,7 +67,7 @@ const DECODER = `
   (func (export "decode") (param $out i32) (result i32)
     (local $from i32) (local $to i32) (local $i i32) (local $streams i32) (local $mode i32) (local $end i32)
     (local $bytes i32) (local $items i32) (local $value i32) (local $body i32) (local $place i32) (local $row i32)
-    (local $signature i32) (local $start i32)
+    (local $signature i32) (local $start i32) (local $fresh i32) (local $group i32) (local $doubles i32)
     (local.set $start (local.get $out))
 
     ;; Where rows and streams begin.
@@ -129,8 +129,13 @@ const DECODER = `
                       (br_if $closer (i32.lt_u (local.get $from) (local.get $place))))
                     (local.set $place (i32.sub (local.get $place) (i32.const 1))))
                   (else
-                    (local.set $value (i32.load offset=2048 (local.get $mode)))
-                    (i32.store offset=2048 (local.get $mode) (i32.add (local.get $value) (i32.const 1)))))
+                    (local.set $value (local.get $fresh))
+                    (local.set $fresh (i32.add (local.get $fresh) (i32.const 1)))
+                    (if (i32.ne (local.get $mode) (i32.load offset=4 (local.get $group)))
+                      (then
+                        (local.set $group (i32.add (local.get $group) (i32.const 8)))
+                        (i64.store (local.get $group) (i64.shl (i64.extend_i32_u (local.get $mode)) (i64.const 32)))))
+                    (i32.store (local.get $group) (i32.add (i32.load (local.get $group)) (i32.const 1)))))
                 (i32.store8 (local.get $place) (local.get $value))
                 (i32.store offset=1536 (local.get $mode) (i32.add (local.get $place) (i32.const 1)))
                 (local.set $bytes (i32.const 0))
@@ -151,14 +156,24 @@ const DECODER = `
                 (br $item)))
             (if (i32.eq (local.get $mode) (i32.const 253))
               (then
-                ;; How long the function is comes before it.
-                (local.set $value (i32.sub (local.get $out) (local.get $body)))
-                (local.set $out (call $write (local.get $out) (local.get $value)))
-                (memory.copy
-                  (i32.sub (local.get $out) (local.get $value))
-                  (local.get $body)
-                  (local.get $value))
-                (drop (call $write (local.get $body) (local.get $value)))
+                ;; How long the function is and what its locals are comes before it.
+                (local.set $to (call $write (i32.const 4096) (i32.shr_u (i32.sub (local.get $group) (i32.const 8184)) (i32.const 3))))
+                (local.set $from (i32.const 8192))
+                (loop $groups
+                  (if (i32.le_u (local.get $from) (local.get $group))
+                    (then
+                      (local.set $to (call $write (local.get $to) (i32.load (local.get $from))))
+                      (i32.store8 (local.get $to) (i32.shr_u (i32.load offset=4 (local.get $from)) (i32.const 2)))
+                      (local.set $to (i32.add (local.get $to) (i32.const 1)))
+                      (local.set $from (i32.add (local.get $from) (i32.const 8)))
+                      (br $groups))))
+                (local.set $value (i32.sub (local.get $to) (i32.const 4096)))
+                (local.set $bytes (i32.sub (local.get $out) (local.get $body)))
+                (local.set $from (i32.add (local.get $value) (local.get $bytes)))
+                (local.set $place (i32.sub (call $write (local.get $to) (local.get $from)) (i32.const 4096)))
+                (memory.copy (i32.add (local.get $body) (local.get $place)) (local.get $body) (local.get $bytes))
+                (memory.copy (call $write (local.get $body) (local.get $from)) (i32.const 4096) (local.get $value))
+                (local.set $out (i32.add (local.get $out) (local.get $place)))
                 (br $item)))
             (if (i32.eq (local.get $mode) (i32.const 252))
               (then
@@ -191,22 +206,21 @@ const DECODER = `
                       (i32.store offset=1536 (local.get $mode) (i32.add (local.get $place) (i32.const 1)))
                       (local.set $value (i32.add (local.get $value) (i32.const 1)))
                       (br $parameter))))
-                ;; How many locals there are of which type.
-                (local.set $from (call $next (local.get $i)))
-                (i32.store8 (local.get $out) (local.get $from))
-                (local.set $out (i32.add (local.get $out) (i32.const 1)))
-                (loop $type
-                  (if (local.get $from)
-                    (then
-                      (local.set $from (i32.sub (local.get $from) (i32.const 1)))
-                      (local.set $place (call $number (local.get $i)))
-                      (local.set $out (call $write (local.get $out) (local.get $place)))
-                      (local.set $mode (call $next (local.get $i)))
-                      (i32.store8 (local.get $out) (local.get $mode))
-                      (local.set $out (i32.add (local.get $out) (i32.const 1)))
-                      (i32.store offset=2048 (i32.shl (local.get $mode) (i32.const 2)) (local.get $value))
-                      (local.set $value (i32.add (local.get $value) (local.get $place)))
-                      (br $type))))
+                (local.set $fresh (local.get $value))
+                (local.set $group (i32.const 8184))
+                (br $item)))
+            (if (i32.eq (local.get $mode) (i32.const 251))
+              (then
+                ;; A double by its number, or a new one, from the stream after this.
+                (local.set $value (i32.shl (call $next (local.get $i)) (i32.const 3)))
+                (if (i32.eqz (local.get $value))
+                  (then
+                    (local.set $doubles (local.tee $value (i32.add (local.get $doubles) (i32.const 8))))
+                    (local.set $from (i32.load offset=1028 (local.get $i)))
+                    (i32.store offset=1028 (local.get $i) (i32.add (local.get $from) (i32.const 8)))
+                    (i64.store offset=16376 (local.get $value) (i64.load (local.get $from)))))
+                (i64.store (local.get $out) (i64.load offset=16376 (local.get $value)))
+                (local.set $out (i32.add (local.get $out) (i32.const 8)))
                 (br $item)))
             (if (i32.eq (local.get $mode) (i32.const 255))
               (then (local.set $mode (call $next (local.get $i)))))

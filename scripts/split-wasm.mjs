@@ -4,14 +4,15 @@
 // Apart they are an eighth smaller after gzip. What comes out has a head that says how it is put together again:
 //
 //   count of streams, count of rows
-//   a stream: its length in three bytes, and how its items are cut: 0 as LEB128, a type as a local of that type, 252 as the beginning of a
-//   function, 253 as its end, 254 as LEB128 to be multiplied by 2 to the power of the byte before it, 255 by a first byte with the
-//   length, else so many bytes
+//   a stream: its length in three bytes, and how its items are cut: 0 as LEB128, a type as a local of that type, 251 as doubles by number,
+//   252 as the beginning of a function, 253 as its end, 254 as LEB128 to be multiplied by 2 to the power of the byte before it, 255 by a
+//   first byte with the length, else so many bytes
 //   a row: how many bytes and 16 times how many items, the bytes as they are, and the numbers of the streams of the items
 //   the streams; that of operations names the row of each
 //
 // A local is told by how many others of its type have been used since its last use, plus one; 0 is the next new one (number-locals.mjs).
-// How long a function is follows from where it ends.
+// How long a function is follows from where it ends, and what its locals are from their uses. A double is told by its number in the order of
+// first uses; 0 is the next new one, which is in the stream after that.
 //
 // Where there are more kinds of operations than rows, the rarest are items of the raw stream, as they are: of them, those without locals.
 //
@@ -20,13 +21,19 @@
 import { typesOf } from "./number-locals.mjs";
 import { bodyOf, bytesOf, headOf, leb, numberOf, takenApart } from "./wasm-functions.mjs";
 
-/** How items are cut: as LEB128, at the two ends of a function, as LEB128 in units of the alignment before, with their length before them. */
+/**
+ * How items are cut: as LEB128, as doubles by their numbers, at the two ends of a function, as LEB128 in units of the alignment before, with
+ * their length before them.
+ */
 const LEB = 0;
+const NUMBERED = 251;
 const BEGIN = 252;
 const END = 253;
 const SCALED = 254;
 const COUNTED = 255;
 const LONGEST_ITEM = 253;
+/** What the decoder has room for. */
+const MOST_DOUBLES = 1800;
 
 const I32 = 0x7f;
 const I64 = 0x7e;
@@ -43,34 +50,35 @@ const STREAMS = [
   ["offset of vector", SCALED],
   ["offset", SCALED],
   ["offset of double", SCALED],
-  ["shift to the right", LEB],
   ["shift to the left", LEB],
-  ["align", LEB],
-  ["get f32", F32],
-  ["get i64", I64],
+  ["shift to the right", LEB],
   ["set f32", F32],
-  ["get i32", I32],
-  ["get f64", F64],
+  ["get f32", F32],
   ["get v128", V128],
+  ["get f64", F64],
+  ["get i32", I32],
+  ["align", LEB],
+  ["get i64", I64],
   ["lane", 1],
   ["set i64", I64],
   ["set v128", V128],
+  ["branch", LEB],
   ["set f64", F64],
   ["set i32", I32],
-  ["branch", LEB],
   ["table", COUNTED],
   ["operations", 1],
-  ["summand", LEB],
-  ["integer", LEB],
+  ["type", 1],
   ["global", LEB],
-  ["long", LEB],
   ["vector", 16],
-  ["double", 8],
+  ["single", 4],
   ["function", BEGIN],
   ["end", END],
+  ["double", NUMBERED],
+  ["new double", 8],
   ["raw", COUNTED],
-  ["single", 4],
-  ["type", 1],
+  ["long", LEB],
+  ["integer", LEB],
+  ["summand", LEB],
   ["call", LEB],
 ];
 const NUMBERS = new Map(STREAMS.map(([name], number) => [name, number]));
@@ -97,10 +105,7 @@ function raw(bytes) {
   return parts.map((part) => ({ code: [], items: [["raw", counted(part)]] }));
 }
 
-/** The locals of a function, without its parameters: those follow from its type. */
-function beginning({ locals }) {
-  return { code: [], items: [["function", [locals.length, ...locals.flatMap(([count, type]) => [...leb(count), type])]]] };
-}
+const BEGINNING = { code: [], items: [["function", []]] };
 
 /** The locals of a function in use, of each type those used last first. */
 class Recency {
@@ -147,13 +152,31 @@ function operation(each, next, recency) {
 
 function operationsOf(f) {
   const recency = new Recency(f);
-  return [beginning(f), ...f.operations.map((each, i) => operation(each, f.operations[i + 1], recency))];
+  return [BEGINNING, ...f.operations.map((each, i) => operation(each, f.operations[i + 1], recency))];
 }
 
 /** All operations of a wasm, and what is no code, as { code, items: [stream, bytes], plain }. */
 function operationsIn(wasm) {
   const { before, functions, after } = takenApart(wasm);
   return [...raw([...before, ...headOf(functions.map(bodyOf))]), ...functions.flatMap(operationsOf), ...raw(after)];
+}
+
+/** The doubles that have a number, in the order of their first uses. */
+class Doubles {
+  #numbers = new Map();
+  #count = 0;
+
+  /** An item of a stream; in place of a double its number, or 0 and the double itself. */
+  items([stream, bytes]) {
+    if (stream !== "double") return [[stream, bytes]];
+    const number = this.#numbers.get(`${bytes}`);
+    if (number !== undefined) return [[stream, [number]]];
+    this.#count += 1;
+    if (this.#count > MOST_DOUBLES) throw new Error(`there are more doubles than ${MOST_DOUBLES}, for which the decoder has room`);
+    // A number is one byte.
+    if (this.#count < 256) this.#numbers.set(`${bytes}`, this.#count);
+    return [[stream, [0]], ["new double", bytes]];
+  }
 }
 
 const RAW = " raw";
@@ -188,11 +211,12 @@ export function splitWasm(wasm, others = []) {
   const kinds = kindsOf(all, others);
   const rows = new Map(kinds.map(([key], row) => [key, row]));
   const streams = new Map(STREAMS.map(([name]) => [name, []]));
+  const doubles = new Doubles();
   for (const each of all) {
     const row = rows.get(keyOf(each));
     streams.get("operations").push(row ?? rows.get(RAW));
     const items = row === undefined ? [["raw", counted(each.plain)]] : each.items;
-    for (const [stream, item] of items) streams.get(stream).push(...item);
+    for (const [stream, item] of items.flatMap((each) => doubles.items(each))) streams.get(stream).push(...item);
   }
   const head = [STREAMS.length, kinds.length & 255];
   for (const [name, mode] of STREAMS) {
