@@ -202,6 +202,12 @@ fn shape_violations(source: &Source) -> Vec<String> {
     found
 }
 
+/// Closures that are owned behind a pointer, or called once: the build cuts what would call them out of the wasm (scripts/snip.mjs).
+fn closure_violations(source: &Source) -> Vec<String> {
+    let owned = source.code().filter(|line| line.contains("<dyn Fn") || line.contains("dyn FnOnce"));
+    owned.map(|line| format!("{}: {} would trap in the wasm", source.path, line.trim())).collect()
+}
+
 /// Citations `[Key, …]` or `[Key\]`, where a key is letters with two digits of a year, and `(D n.m)`.
 fn citations(text: &str) -> Vec<String> {
     let mut found = Vec::new();
@@ -282,6 +288,16 @@ fn files_are_short_and_named_for_what_is_in_them() {
     let sources = sources_below(&repository().join("src"), "");
     let found: Vec<_> = sources.iter().flat_map(shape_violations).collect();
     assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn closures_that_are_passed_on_are_borrowed() {
+    let sources = sources_below(&repository().join("src"), "");
+    let found: Vec<_> = sources.iter().flat_map(closure_violations).collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    let planted = |text: &str| closure_violations(&Source::new("curve/area.rs", text)).len();
+    assert_eq!(planted("fn f(g: Box<dyn Fn(f64) -> f64>) {}\nfn h(g: &dyn Fn(f64)) {}"), 1, "an owned one");
+    assert_eq!(planted("fn f(g: Option<Box<dyn FnOnce()>>) {}"), 1, "one that is called once");
 }
 
 #[test]
