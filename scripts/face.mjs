@@ -4,9 +4,11 @@
 
 import { cpSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename } from "node:path";
+import { gzipSync } from "node:zlib";
 
-import { PLACEHOLDER } from "./inline-wasm.mjs";
+import { DECODER_TEXT, TEXT } from "./inline-wasm.mjs";
 import { BINDINGS, KINDS, OVER } from "./kinds.mjs";
+import { namesOf, withSharedNames } from "./shared-names.mjs";
 import { at, run, step } from "./steps.mjs";
 import { writeThirdPartyLicenses } from "./third-party.mjs";
 
@@ -72,6 +74,34 @@ async function bundleEntry(prefix) {
   return outputFiles[0].text;
 }
 
+/** A literal, which was chosen to the byte: no bundler sees it. */
+const literalIn = (name) => JSON.parse(readFileSync(at(BINDINGS, `${name}.json`), "utf8"));
+
+/** A module with its literals before or behind the code, where gzip makes less of both: which that is depends on where its blocks end. */
+function withLiterals(code, literals) {
+  if (literals.length === 0) return code;
+  const [first, last] = [`var ${literals};${code}`, `${code}var ${literals};\n`];
+  return gzipSync(first, { level: 9 }).length < gzipSync(last, { level: 9 }).length ? first : last;
+}
+
+/** The ES modules of one of the two editions, and the entry that names what they offer. */
+async function writeEdition(out, prefix) {
+  const entry = await bundleEntry(prefix);
+  const modules = new Map();
+  for (const { name, file, start, bytes } of KINDS) {
+    const contents = prefix === "" ? readFileSync(at(BINDINGS, `${bytes}.js`), "utf8") : nothingInside(file, start);
+    modules.set(`${prefix}${name}.js`, await bundleFace(name, contents, `./${prefix}`));
+  }
+  for (const name of OVER) modules.set(`${prefix}${name}.js`, await bundleFace(name, "", `./${prefix}`));
+  const offered = namesOf(entry);
+  for (const [file, code] of withSharedNames(modules, offered)) {
+    const kind = KINDS.find(({ name }) => file === `${name}.js`);
+    const names = kind === undefined ? [] : kind.name === "core" ? [[TEXT, kind.bytes], [DECODER_TEXT, "wasm-decoder"]] : [[TEXT, kind.bytes]];
+    writeFileSync(at("pkg", file), withLiterals(code, names.map(([name, from]) => `${name}=${literalIn(from)}`)));
+  }
+  writeFileSync(at("pkg", `${out}.js`), entry);
+}
+
 /** The whole interface in one file, for Node. */
 async function bundleNode() {
   const { build } = await import("esbuild");
@@ -104,18 +134,8 @@ export async function buildFace() {
   await step("face", { inputs, outputs }, async () => {
     rmSync(at("pkg"), { recursive: true, force: true });
     await run("node", [at("node_modules/typescript/bin/tsc"), "-p", at("ts/tsconfig.json")]);
-    for (const { name, file, start, bytes } of KINDS) {
-      const literal = JSON.parse(readFileSync(at(BINDINGS, `${bytes}.json`), "utf8"));
-      // The literal was chosen to the byte, so the bundler sees a short stand-in for it.
-      const full = await bundleFace(name, readFileSync(at(BINDINGS, `${bytes}.js`), "utf8"), "./");
-      writeFileSync(at(`pkg/${name}.js`), full.replace(PLACEHOLDER, () => literal));
-      writeFileSync(at(`pkg/slim-${name}.js`), await bundleFace(name, nothingInside(file, start), "./slim-"));
-      cpSync(at(BINDINGS, `${file}_bg.wasm`), at(`pkg/${file}_bg.wasm`));
-    }
-    for (const [out, prefix] of [["expline", ""], ["slim", "slim-"]]) {
-      for (const name of OVER) writeFileSync(at(`pkg/${prefix}${name}.js`), await bundleFace(name, "", `./${prefix}`));
-      writeFileSync(at(`pkg/${out}.js`), await bundleEntry(prefix));
-    }
+    for (const [out, prefix] of [["expline", ""], ["slim", "slim-"]]) await writeEdition(out, prefix);
+    for (const { file } of KINDS) cpSync(at(BINDINGS, `${file}_bg.wasm`), at(`pkg/${file}_bg.wasm`));
     await bundleNode();
     writeThirdPartyLicenses(await bundleCommandLine());
   });

@@ -30,8 +30,8 @@ function written(byte, shift, quote) {
 
 const alphabet = (shift, quote) => Array.from({ length: 256 }, (_, byte) => written(byte, shift, quote));
 
-/** The smallest literal of the bytes, and the shift that it was made with. */
-function smallestLiteral(bytes) {
+/** The smallest literal of the bytes, and the shift that it was made with, of so many that are tried with gzip. */
+function smallestLiteral(bytes, tried = TRIED) {
   const counts = new Float64Array(256);
   for (const byte of bytes) counts[byte] += 1;
   const candidates = [];
@@ -44,7 +44,7 @@ function smallestLiteral(bytes) {
   }
   candidates.sort((a, b) => a.length - b.length);
   let best = { text: "", shift: 0, size: Number.POSITIVE_INFINITY };
-  for (const { shift, quote, letters } of candidates.slice(0, TRIED)) {
+  for (const { shift, quote, letters } of candidates.slice(0, tried)) {
     const text = quote + Array.from(bytes, (byte) => letters[byte]).join("") + quote;
     if (/<\/script|<!--/i.test(text)) continue; // a page may carry the module inside a script element
     const size = gzipSync(text, { level: 9 }).length;
@@ -54,16 +54,25 @@ function smallestLiteral(bytes) {
   return best;
 }
 
-/** The module with the decoder's bytes, one character each. */
+/**
+ * The names of the literals, which come before or behind all of a module's code: between the code that uses them they would be longer, because
+ * gzip makes a code for sixteen thousand symbols at a time, whatever they are. No bundler sees them.
+ */
+export const TEXT = "$w";
+export const DECODER_TEXT = "$d";
+
+/** The module with the decoder's bytes, one character each, and its literal. */
 export async function decoderModule() {
-  const decoder = JSON.stringify(String.fromCharCode(...(await decoderBytes())));
-  const code = `export const decoder = ${decoder};\nexport const STREAMS = ${STREAMS};\n`;
+  const { text, shift } = smallestLiteral(await decoderBytes(), Number.POSITIVE_INFINITY);
+  const code = `export const decoder = () => ${DECODER_TEXT};\nexport const SHIFT = ${shift};\nexport const STREAMS = ${STREAMS};\n`;
   const declarations = `/** The wasm that reads inlined wasm, one character each byte. */
-export declare const decoder: string;
+export declare function decoder(): string;
+/** How much larger its characters are than its bytes. */
+export declare const SHIFT: number;
 /** Where it puts together the streams of a wasm. */
 export declare const STREAMS: number;
 `;
-  return { code, declarations };
+  return { code, declarations, text };
 }
 
 /** What the decoder makes of a literal, as the package does it. */
@@ -98,22 +107,18 @@ export async function inlined(wasm, core) {
   return made;
 }
 
-/** What stands for the literal while the face is bundled and minified. */
-export const PLACEHOLDER = '"@wasm@"';
-
 /** The core's module: exports `wasmBytes()`, and what those of the others read theirs with. No address: the bytes are there. */
 const coreModule = ({ shift, room }) => `import { decoded } from "./core/decode.ts";
 
-const text = ${PLACEHOLDER};
 export const wasmAddress = undefined;
-export const wasmBytes = () => decoded(${room}, text, ${shift});
-export const besideCore = (room, own, shift) => decoded(room, own, shift, text, ${shift});
+export const wasmBytes = () => decoded(${room}, ${TEXT}, ${shift});
+export const besideCore = (room, own, shift) => decoded(room, own, shift, ${TEXT}, ${shift});
 `;
 
 const otherModule = ({ shift, room }) => `import { besideCore } from "./core.js";
 
 export const wasmAddress = undefined;
-export const wasmBytes = () => besideCore(${room}, ${PLACEHOLDER}, ${shift});
+export const wasmBytes = () => besideCore(${room}, ${TEXT}, ${shift});
 `;
 
 const DECLARATIONS = `/** The wasm that is inlined in the package; E_NOT_READY in the slim one. */

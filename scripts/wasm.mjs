@@ -64,10 +64,11 @@ export async function buildWasm() {
 
 /** The wasm that reads inlined wasm. */
 async function buildDecoder() {
-  const outputs = ["wasm-decoder.js", "wasm-decoder.d.ts"].map((f) => `${BINDINGS}/${f}`);
+  const outputs = ["wasm-decoder.js", "wasm-decoder.json", "wasm-decoder.d.ts"].map((f) => `${BINDINGS}/${f}`);
   await step("decoder", { inputs: INLINING, outputs }, async () => {
-    const { code, declarations } = await decoderModule();
+    const { code, declarations, text } = await decoderModule();
     mkdirSync(at(BINDINGS), { recursive: true });
+    writeFileSync(at(BINDINGS, "wasm-decoder.json"), JSON.stringify(text));
     writeFileSync(at(BINDINGS, "wasm-decoder.js"), code);
     writeFileSync(at(BINDINGS, "wasm-decoder.d.ts"), declarations);
   });

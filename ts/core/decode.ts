@@ -1,5 +1,5 @@
 /** The inlined wasm, from text back to bytes. */
-import { STREAMS, decoder } from "../../build/bindings/wasm-decoder.js";
+import { SHIFT, STREAMS, decoder } from "../../build/bindings/wasm-decoder.js";
 import { latin, utf8 } from "./utf8.js";
 
 /** What the decoder offers; all numbers are places in its memory but `shift`. */
@@ -30,7 +30,7 @@ export function decoded(room: number, text: string, shift: number, other = "", o
   const bytes = new Uint8Array(memory.buffer as ArrayBuffer);
   bytes.set(own, from);
   bytes.set(others, there);
-  const module = new Module(latin(decoder));
+  const module = new Module(latin(decoder(), SHIFT));
   const { plain, fill, decode } = new Instance(module, { "": { memory } }).exports as unknown as Decoder;
   plain(from, there, shift);
   plain(there, end, otherShift);
