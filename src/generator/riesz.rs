@@ -56,14 +56,7 @@ impl HermiteGenerators {
     /// [CRU15, sec. 5]; by quadrature of the stable weights instead of the closed forms, which lose eps·ω⁻⁷
     /// (D 6.1).
     pub fn gram(&self) -> Gram {
-        let m = moments(self.basis());
-        Gram {
-            a: 0.25 - m.chord,
-            b: 0.5 + 2.0 * m.chord,
-            c: m.mixed,
-            d: m.odd - m.even,
-            e: 2.0 * (m.odd + m.even),
-        }
+        Gram::of(&moments(self.basis()))
     }
 
     /// The exact Riesz bounds.
@@ -78,7 +71,7 @@ impl HermiteGenerators {
     /// no grid is searched: (D 6.3) lists every place where an eigenvalue can be extreme.
     pub fn riesz_bounds(&self) -> RieszBounds {
         let m = moments(self.basis());
-        let gram = self.gram();
+        let gram = Gram::of(&m);
         // At ω = 0 and ω = π the matrix is diagonal; b + 2a = 1 because φ₁'s shifts sum to 1.
         let ends = [1.0, 4.0 * m.chord, 4.0 * m.odd, 4.0 * m.even];
         let mut bounds = (f64::INFINITY, 0.0_f64);
@@ -96,6 +89,16 @@ impl HermiteGenerators {
 }
 
 impl Gram {
+    fn of(m: &Moments) -> Self {
+        Self {
+            a: 0.25 - m.chord,
+            b: 0.5 + 2.0 * m.chord,
+            c: m.mixed,
+            d: m.odd - m.even,
+            e: 2.0 * (m.odd + m.even),
+        }
+    }
+
     /// The two eigenvalues of the Fourier Gram matrix at the frequency with this cosine.
     ///
     /// # Source

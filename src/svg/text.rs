@@ -176,7 +176,7 @@ impl Text {
     }
 
     pub(super) fn close(&mut self) {
-        self.out.push(b'Z');
+        self.out.extend_from_slice(b"Z");
     }
 
     pub(super) fn into_bytes(self) -> Vec<u8> {
@@ -231,7 +231,7 @@ impl Text {
 
     fn form(&mut self, letter: u8, arc: Option<&ArcText>, numbers: &[(Coordinate, Coordinate)]) {
         if letter != self.before.implied {
-            self.out.push(letter);
+            self.out.extend_from_slice(&[letter]);
             self.before = Before { implied: letter, number: false, pointed: false };
         }
         if let Some(arc) = arc {
@@ -259,13 +259,14 @@ impl Text {
     #[inline(never)]
     fn plain(&mut self, number: Plain) {
         let Plain { negative, digits, decimals } = number;
-        let negative = negative && digits != 0;
         // Below 1, that is: no digit stands before the point.
         let bare = || digits != 0 && decimals <= 22 && number::below_one(digits, decimals);
-        if self.before.number && !negative && !(self.before.pointed && bare()) {
-            self.out.push(b' ');
-        }
-        self.before.pointed = number::write(&mut self.out, negative, digits, decimals);
+        let before = if negative && digits != 0 {
+            Some(b'-')
+        } else {
+            (self.before.number && !(self.before.pointed && bare())).then_some(b' ')
+        };
+        self.before.pointed = number::write(&mut self.out, before, digits, decimals);
         self.before.number = true;
     }
 }

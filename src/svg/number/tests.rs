@@ -25,16 +25,21 @@ fn assert_reads_like_std(text: &str) {
     assert_eq!(value.to_bits(), (expected + 0.0).to_bits(), "{text}: {value:e}, not {expected:e}");
 }
 
+fn sign(negative: bool) -> Option<u8> {
+    negative.then_some(b'-')
+}
+
 fn fixed(value: f64, decimals: u32) -> String {
     let mut out = Vec::new();
-    write(&mut out, value < 0.0, scaled(value, decimals), decimals);
+    let n = scaled(value, decimals);
+    write(&mut out, sign(value < 0.0 && n != 0), n, decimals);
     String::from_utf8_lossy(&out).into_owned()
 }
 
 fn short(value: f64) -> String {
     let mut out = Vec::new();
     let (n, decimals) = shortest(value);
-    write(&mut out, value < 0.0, n, decimals);
+    write(&mut out, sign(value < 0.0), n, decimals);
     String::from_utf8_lossy(&out).into_owned()
 }
 
@@ -210,7 +215,7 @@ fn few_digits_are_written_as_many_are() {
         let n = if round % 3 == 0 { n / 100 * 100 } else { n };
         let decimals = u32::try_from(random.next() % 10).unwrap_or(0);
         let mut out = b"M".to_vec();
-        let pointed = write(&mut out, round % 2 == 1, n, decimals);
+        let pointed = write(&mut out, sign(round % 2 == 1 && n > 0), n, decimals);
         let text = String::from_utf8_lossy(&out[1..]).into_owned();
         let whole = n / 10_u64.pow(decimals);
         let part = format!("{:0width$}", n % 10_u64.pow(decimals), width = decimals as usize);

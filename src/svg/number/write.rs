@@ -46,14 +46,14 @@ const HUNDRED_MILLION: u64 = 100_000_000;
 /// Two lists of eight digits one behind the other, a point, a sign, and room to copy whole.
 const FEW_BYTES: usize = 18 + MOST_BYTES;
 
-/// Appends n·10^−`decimals`: no trailing zeros, no zero before the point, never `-0`; from 23 decimals on as an
-/// integer with an exponent. Returns whether there is a point or an exponent.
+/// Appends n·10^−`decimals`: no trailing zeros, no zero before the point; from 23 decimals on as an
+/// integer with an exponent. Returns whether there is a point or an exponent. What comes `before` it is a sign or a separator.
 #[inline(never)]
-pub(in crate::svg) fn write(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) -> bool {
+pub(in crate::svg) fn write(out: &mut Vec<u8>, before: Option<u8>, n: u64, decimals: u32) -> bool {
     if n != 0 && n < HUNDRED_MILLION && decimals < EIGHT as u32 {
-        write_few(out, negative, n, decimals)
+        write_few(out, before, n, decimals)
     } else {
-        write_many(out, negative, n, decimals)
+        write_many(out, before, n, decimals)
     }
 }
 
@@ -71,11 +71,11 @@ fn eight_digits(n: u64) -> u64 {
 
 /// A number of at most eight digits that is not 0, with fewer decimals than that.
 #[inline(always)]
-fn write_few(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) -> bool {
+fn write_few(out: &mut Vec<u8>, before: Option<u8>, n: u64, decimals: u32) -> bool {
     let digits = eight_digits(n);
     let (leading, trailing) = (digits.trailing_zeros() as usize / 8, digits.leading_zeros() as usize / 8);
     let (text, point) = (digits | 0x3030_3030_3030_3030, EIGHT - decimals as usize);
-    // One byte is left free for the sign.
+    // One byte is left free for what comes before.
     let mut bytes = [0; FEW_BYTES];
     bytes[1..=EIGHT].copy_from_slice(&text.to_le_bytes());
     let pointed = trailing < decimals as usize;
@@ -87,9 +87,9 @@ fn write_few(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) -> bool {
         end = 2 + EIGHT - trailing;
     }
     let mut start = 1 + if leading < point { leading } else { point };
-    if negative {
+    if let Some(before) = before {
         start -= 1;
-        bytes[start] = b'-';
+        bytes[start] = before;
     }
     append(out, &bytes, start, end);
     pointed
@@ -107,11 +107,11 @@ fn append(out: &mut Vec<u8>, bytes: &[u8], start: usize, end: usize) {
 
 /// Any number, digit by digit.
 #[inline(never)]
-fn write_many(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) -> bool {
+fn write_many(out: &mut Vec<u8>, before: Option<u8>, n: u64, decimals: u32) -> bool {
     if decimals > 22 {
-        write(out, negative, n, 0);
+        write(out, before, n, 0);
         out.extend(b"e-");
-        write(out, false, u64::from(decimals), 0);
+        write(out, None, u64::from(decimals), 0);
         return true;
     }
     // From the right, so that what is written begins at `at` and ends in the middle.
@@ -149,9 +149,10 @@ fn write_many(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) -> bool 
     if at == MOST_BYTES {
         // Zero: one of those that the list began with.
         at -= 1;
-    } else if negative {
+    }
+    if let Some(before) = before {
         at -= 1;
-        text[at] = b'-';
+        text[at] = before;
     }
     append(out, &text, at, MOST_BYTES);
     pointed
