@@ -192,6 +192,49 @@ fn a_tiny_segment_beside_a_long_one_goes_without_a_trace() {
     assert!(turning(&sampled(&healed, 1000)) < 2.0, "no loop");
 }
 
+/// One cubic with a point more, inserted at t and moved to the right by so much, and how far the curve is from that without it.
+fn gone_again(ends: [Point; 2], tangents: [Point; 2], t: f64, moved: f64) -> f64 {
+    let options = HermiteOptions {
+        points: ends.to_vec(),
+        tangents: tangents.to_vec(),
+        tangents_in: tangents.to_vec(),
+        closed: false,
+        space: Some(Space::Polynomial),
+        ..HermiteOptions::default()
+    };
+    let curve = HermiteCurve::new(options).and_then(|curve| curve.insert(t)).expect("in range");
+    let curve = curve.with_point(1, curve.points()[1] + Point::new(moved, 0.0)).expect("in range");
+    curve.remove(1).expect("three points").1
+}
+
+#[test]
+fn an_inserted_point_goes_without_a_trace_also_beside_a_sharp_bend_and_far_from_the_origin() {
+    // A bend that the chords of two segments show and those of one cut off, so that the old curve itself seemed to turn too much: what came
+    // instead was a thousandth of the way farther.
+    let ends =
+        [Point::new(-10.301112818, 0.042129198590161954), Point::new(0.194157092, -0.9161077671418427)];
+    let tangents = [
+        Point::new(-1.547310756450926, -2.898871357105918),
+        Point::new(-2.160832571744362, 0.4083312533071899),
+    ];
+    for far in [0.0, 1e5, 1e7] {
+        let deviation = gone_again(ends.map(|end| end + Point::new(far, 0.0)), tangents, 0.895, 0.0);
+        // A few roundings of the coordinates.
+        assert!(deviation <= 1e-15 * (far + 10.0) * 4.0, "{far}: {deviation:e}");
+    }
+}
+
+#[test]
+fn beside_a_point_without_a_handle_a_removal_is_measured_as_what_it_is() {
+    // The foot of the perpendicular was looked for from the cusp itself, where there is no step: it stayed there.
+    for (t, handle) in [(0.05, 6.0), (0.1, 40.0), (0.3, 24.0)] {
+        let ends = [Point::zeros(), Point::new(1.0, 0.0)];
+        let deviation = gone_again(ends, [Point::zeros(), Point::new(3.0, handle)], t, 1e-6);
+        // The old curve before the point was moved is one of those that are looked at.
+        assert!(deviation <= 1.001e-6, "{t}, {handle}: {deviation:e}");
+    }
+}
+
 /// Two segments as an hour of dragging leaves them: handles of any length and direction, one segment far shorter than the other.
 fn dragged(random: &mut Random, space: Space) -> HermiteCurve {
     let points: Vec<Point> = (0..3).map(|_| random.vector(50.0)).collect();

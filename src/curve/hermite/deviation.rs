@@ -102,7 +102,8 @@ impl Segment<'_> {
         let curved = square + offset.dot(&acceleration);
         let slope = if curved > 0.25 * square { curved } else { square };
         if slope == 0.0 {
-            return x;
+            // At a cusp no step is the right one: it goes on from a quarter of a place inside.
+            return x + (0.5 - x) / (2 * PLACES) as f64;
         }
         (x - offset.dot(&velocity) / (slope * self.length)).clamp(0.0, 1.0)
     }
