@@ -11,7 +11,7 @@ use crate::refine::{Target, least_squares};
 
 /// Places per interval, in each direction, at which a change is looked at.
 const LOOKS: usize = 4;
-/// From rows that come as near to the largest as this the way leads uphill. Between looks a change grows by a seventh at most.
+/// From rows and columns that come as near to the largest as this the way leads uphill. Between looks a change grows by a seventh at most.
 const NEAR: f64 = 0.85;
 /// Halvings of the step on the way: a peak is then known to 1e-4 of its height.
 const HALVINGS: usize = 6;
@@ -96,17 +96,18 @@ impl TensorSurface {
         let looks = [&base.u, &base.v].map(|axis| LOOKS * axis.intervals);
         let step = [base.u.end() / looks[0] as f64, base.v.end() / looks[1] as f64];
         let mut scratch = Scratch::default();
-        let mut far = Vec::new();
+        // The largest of each row and of each column: of two peaks in one row the way may lead higher from the lower look.
+        let mut far = vec![(0.0, [0.0; 2]); looks[0] + looks[1] + 2];
         for i in 0..=looks[0] {
-            let mut best = (0.0, [0.0; 2]);
             for j in 0..=looks[1] {
                 let place = [step[0] * i as f64, step[1] * j as f64];
                 let distance = self.distance(place, &mut scratch);
-                if distance > best.0 {
-                    best = (distance, place);
+                for line in [i, looks[0] + 1 + j] {
+                    if distance > far[line].0 {
+                        far[line] = (distance, place);
+                    }
                 }
             }
-            far.push(best);
         }
         let most = far.iter().fold(0.0_f64, |most, look| most.max(look.0));
         let near = far.into_iter().filter(|look| look.0 > NEAR * most);
