@@ -2,6 +2,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use expline::curve::Curve;
 use expline::numerics::Point;
 use expline::trace::{Gray, Model, Source, Trace, TraceOptions, TracedContour, trace};
 
@@ -347,6 +348,27 @@ fn edges_come_through_the_same_door_by_both_models() {
             let metrics = contour.metrics;
             assert!(metrics.mae <= metrics.rmse && metrics.rmse <= metrics.hausdorff, "{metrics:?}");
             assert!(metrics.rmse < 0.15 && metrics.jaccard > 0.98, "{source:?} {model:?}: {metrics:?}");
+        }
+    }
+}
+
+#[test]
+fn no_line_leaves_the_picture_where_its_ink_is_no_stroke() {
+    // A dark sheet with a hole: what lies between hole and border is no stroke, and middles of its sides were 5 pixels outside.
+    for (width, height, radius) in [(100, 15, 5.0), (40, 15, 5.0), (30, 11, 4.0)] {
+        let hole = |i: usize| {
+            let (x, y) = ((i % width) as f64, (i / width) as f64);
+            let beyond = (x - 0.5 * (width - 1) as f64).hypot(y - 0.5 * (height - 1) as f64) - radius;
+            (255.0 * (0.5 - beyond).clamp(0.0, 1.0)) as u8
+        };
+        let bytes: Vec<u8> = (0..width * height).map(hole).collect();
+        let drawing = lines(width, height, &bytes);
+        assert!(!drawing.contours.is_empty(), "{width}: the dark is followed");
+        for contour in drawing.contours {
+            let b = contour.curve.bounds();
+            // Curves may be as far from their lines as the tolerance of 0.22 allows.
+            let beyond = (-b.min_x).max(-b.min_y).max(b.max_x - width as f64).max(b.max_y - height as f64);
+            assert!(beyond <= 0.22, "{width}: {beyond} px outside");
         }
     }
 }

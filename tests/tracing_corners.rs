@@ -62,6 +62,25 @@ fn narrow_ends_keep_both_corners_and_a_narrow_tip_is_one() {
 }
 
 #[test]
+fn corners_lie_on_the_curve_also_where_an_arc_ends_in_them() {
+    // Joints move onto an arc that is recognised: by up to a sixteenth of a pixel, and the corners stayed where they had been.
+    for (radius, cut) in [(5.0, -0.4), (8.0, 0.0), (13.7, -0.4), (20.0, 0.3)] {
+        let part = |x: f64, y: f64| {
+            (x - 24.0).hypot(y - 24.0) < radius && x - 24.0 + 0.3 * (y - 24.0) > cut * radius
+        };
+        let drawing = traced(48, 48, &draw(48, 48, &part));
+        let contour = &drawing.contours[0];
+        assert_eq!(contour.cusps.len(), 2, "{radius}, {cut}: a part of a disc has two corners");
+        for cusp in &contour.cusps {
+            assert!(
+                contour.curve.points().contains(cusp),
+                "{radius}, {cut}: {cusp} is no point of the curve"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_corner_too_blunt_for_what_is_asked_is_none() {
     let rhombus = [(6.0, 32.0), (32.0, 8.0), (58.0, 32.0), (32.0, 56.0)];
     let bytes = draw(64, 64, &|x, y| inside(&rhombus, x, y));

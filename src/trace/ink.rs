@@ -244,7 +244,6 @@ impl InkWork {
             }
             rounding = self.rounding.take();
         }
-        let cusps = outline.cusps(self.options.corner);
         let angles = match rounding {
             Some(rounding) => {
                 let mut angles = rounding.finish(outline);
@@ -253,7 +252,8 @@ impl InkWork {
             }
             None => vec![0.0; outline.len()],
         };
-        Ok(Some((outline.to_curve(angles)?, cusps)))
+        // Arcs that are recognised move the joints at their ends.
+        Ok(Some((outline.to_curve(angles)?, outline.cusps(self.options.corner))))
     }
 
     /// A bit of one contour more in this phase, which says what it cost and whether it was the contour's last; whether it was the last of all.
