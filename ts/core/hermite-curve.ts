@@ -214,7 +214,7 @@ export class HermiteCurve extends MeasuredCurve {
     data.touch();
   }
 
-  /** The same curve with `arity` segments, by default 2, in place of each; the parameter stays. */
+  /** The same curve with `arity` segments, by default 2, in place of each; the parameter stays, the end of the domain to a rounding. */
   refine(arity = 2): HermiteCurve {
     const op = "refine";
     const data = dataOf(this, op);

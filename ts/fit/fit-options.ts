@@ -32,8 +32,9 @@ export interface SparseFitStrength {
   smoothing?: number | undefined;
   /**
    * Instead of lambda: the fewest knots whose curve is nowhere farther than this from a point. The curve keeps to the way of the points, too: as a rule
-   * it is no farther from it than this and half of their distance from one another. Below the noise it is a polyline with the fewest vertices,
-   * rounded off where `corners` allows none.
+   * it is no farther from it than this and half of their distance from one another. To make a curve simpler, fit its `sampleByLength`: the vertices
+   * that `flatten` gives lie far apart where it is nearly straight. Below the noise it is a polyline with the fewest vertices, rounded off where
+   * `corners` allows none.
    */
   tolerance?: number | undefined;
 }

@@ -38,7 +38,10 @@ export type FitStatus =
   | "converged"
   /** `maxIterations` came first: `gap` or `maxError` says how near the curve is that was found by then. */
   | "max_iterations"
-  /** Rounding allows no smaller gap, and `gap` is what is certified; or no curve was found within `tolerance`, and `maxError` says how near this one is. */
+  /**
+   * Rounding allows no smaller gap, and `gap` is what is certified; or no curve was found within `tolerance`, and `maxError` says how near this one
+   * is; or what was found led beyond ±1e9, and this is the points joined by lines.
+   */
   | "stalled"
   /** `deadline` came first. */
   | "deadline";
@@ -81,9 +84,12 @@ export interface SparseFit {
   gap: number;
   /** Mean square of the distances between the points and `curve` at the parameters that they were fitted at; `rms` is at `parameters`. */
   qfe: number;
-  /** No point is farther from the curve than this: proved. */
+  /** No point is farther from the curve than this: proved. Of the curve between points that lie far apart it says nothing. */
   maxError: number;
-  /** Root of the mean square of the distances between the points and their places, at `parameters`; weighted, where they are. */
+  /**
+   * Root of the mean square of the distances between the points and their places, at `parameters`; weighted, where they are, and with `robust` as
+   * the fit weighs them.
+   */
   rms: number;
   /** How far `curve` may be from the spline: 0 up to degree 3, proved above. `maxError` has it in it. */
   deviation: number;
