@@ -19,7 +19,9 @@ use super::breaks::Breaks;
 use super::foot_points::{Distances, Spline};
 use super::free_knots::{FreeKnots, Located};
 use super::search::{Price, better, settle, thinner};
+use super::stray::WIDEST;
 use crate::fit::outcome::FitStatus;
+use crate::fit::report::weight;
 
 /// How many times the price rises at once where points are many, and how many of these go back when that was too much.
 const LEAP: f64 = 16.0;
@@ -94,6 +96,14 @@ pub(in crate::fit) struct Found {
     pub(super) distances: Distances,
     /// A piece that leaves the way of the points, if there is one.
     wild: Option<usize>,
+}
+
+impl Found {
+    /// Whether it swings far from points that are noisy by so much: of points in no order hardly any lie between two knots, and nothing holds it.
+    fn swings(&self, noise: f64) -> bool {
+        let squares = noise * noise * weight(&self.located);
+        self.wild.is_some() && self.spline.wild_piece(&self.located, squares).is_some()
+    }
 }
 
 /// The search, to be stepped.
@@ -224,10 +234,15 @@ impl Sparsest {
         if reached { FitStatus::Converged } else { FitStatus::Stalled }
     }
 
-    /// The tolerance that was asked for, where the best curve so far does not keep it.
+    /// The tolerance that was asked for, where the best curve so far does not keep it; that of the noise, where it swings far from the points.
     pub(in crate::fit) fn missed(&self) -> Option<f64> {
         match self.asked.aim {
             Aim::Tolerance(tolerance) if self.status() != FitStatus::Converged => Some(tolerance),
+            Aim::Noise(noise)
+                if noise > 0.0 && self.found.as_ref().is_some_and(|found| found.swings(noise)) =>
+            {
+                Some(WIDEST * noise)
+            }
             _ => None,
         }
     }

@@ -120,9 +120,9 @@ impl Sparsest {
         Ok(Some(search))
     }
 
-    /// Takes the polyline of the fewest vertices for an answer, where the tolerance is missed, rounded off where corners may not be:
-    /// a round of it, after which it says whether that was the last. O(M) in all but for points that are many times denser than
-    /// the tolerance.
+    /// Takes the polyline of the fewest vertices for an answer, where what [`Self::missed`] tells is missed, rounded off where
+    /// corners may not be: a round of it, after which it says whether that was the last. O(M) in all but for points that are
+    /// many times denser than the tolerance.
     ///
     /// # Errors
     ///
