@@ -84,7 +84,7 @@ export interface PathOptions {
 export interface Curve {
   /** Whether the last point is joined to the first; then any t is accepted. */
   readonly closed: boolean;
-  /** First and last parameter. */
+  /** First and last parameter. Sums of lengths may be a rounding off. */
   readonly domain: readonly [number, number];
   /** 2 for a curve of the plane, 3 in space. */
   readonly dimension: 2 | 3;
