@@ -344,6 +344,13 @@ impl Fitter {
                 if done && searches.iter().all(|search| search.missed().is_some()) {
                     done = searches[0].resort_to_polyline()?;
                 }
+                if done
+                    && searches.len() == 1
+                    && let Some(search) = searches[0].from_all_points()?
+                {
+                    searches.push(search);
+                    done = false;
+                }
             }
             Run::Choice(rivals, others) => {
                 done = false;

@@ -28,13 +28,14 @@ pub(super) fn ended(status: Status) -> FitStatus {
 /// The search with the fewest pieces among those that reached what was asked for.
 #[inline(never)]
 pub(super) fn best_of(searches: &[Sparsest]) -> &Sparsest {
+    let far = |search: &Sparsest| (search.merit().0, search.merit().2);
     let mut best = &searches[0];
     for search in &searches[1..] {
         let kept = [search, best].map(|search| search.status() == FitStatus::Converged);
         let better = match kept {
             [true, true] => search.merit() < best.merit(),
             // Of curves that are all too far away the nearest is the best.
-            [false, false] => search.is_done() && search.merit().1 < best.merit().1,
+            [false, false] => search.is_done() && far(search) < far(best),
             [kept, _] => kept,
         };
         if better {

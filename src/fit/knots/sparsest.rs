@@ -210,12 +210,14 @@ impl Sparsest {
         self.pricing.price.rank(&FreeKnots::new(self.fitted.breaks().clone(), &self.view.full)) + more
     }
 
-    /// How many pieces the best curve has, and how far it is from the points.
-    pub(in crate::fit) fn merit(&self) -> (usize, f64) {
-        match &self.found {
-            Some(found) => (found.spline.space.breaks.pieces(), found.distances.largest),
-            None => (usize::MAX, f64::INFINITY),
-        }
+    /// Whether the best curve leaves the way of the points, how many pieces it has, and how far it is from the points.
+    pub(in crate::fit) fn merit(&self) -> (bool, usize, f64) {
+        let Some(found) = &self.found else { return (true, usize::MAX, f64::INFINITY) };
+        let far = match self.asked.aim {
+            Aim::Squares(_) => found.distances.squares,
+            _ => found.distances.largest,
+        };
+        (found.wild.is_some(), found.spline.space.breaks.pieces(), far)
     }
 
     /// With how many knots the search began, after it had enough of them.

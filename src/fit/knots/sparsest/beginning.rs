@@ -4,12 +4,15 @@ use super::{
     Aim, Asked, Effort, Evening, FEW, Found, LEAP, PER_NUMBER, Phase, Plan, Pricing, Sparsest, View, WARMING,
 };
 use crate::error::Result;
+use crate::fit::convex::problem::interpolating_grid;
 use crate::fit::knots::breaks::Breaks;
+use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::polyline::Fewest;
 use crate::fit::knots::rounded::{Rounds, rounded};
 use crate::fit::knots::search::{Price, least};
 use crate::fit::knots::{polyline, start};
+use crate::fit::outcome::FitStatus;
 use crate::numerics::angle::sin_cos;
 
 /// The most corners to begin with.
@@ -23,6 +26,9 @@ const LEFT: f64 = 0.7;
 const DEPTH: f64 = 0.28;
 /// So many points a polyline of nearly all of them may be begun with, where a tolerance takes as many.
 const MOST_THROUGH: usize = 6000;
+
+/// Of so many points at most a search begins with the curve through all of them.
+const MOST_FOLLOWED: usize = 1500;
 
 /// From so many points edges of the fewest are drawn in one round.
 const IN_A_ROUND: usize = 4096;
@@ -205,6 +211,30 @@ impl Sparsest {
         let mut search = Self::begun(asked, View::of_all(full), breaks);
         (search.phase, search.at_first) = (Phase::Thin, at_first);
         search
+    }
+
+    /// The same from the curve through all points on, where nothing that was found keeps the sum of squares on the way of the points.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory`.
+    #[inline(never)]
+    pub(in crate::fit) fn from_all_points(&self) -> Result<Option<Self>> {
+        let (full, bare) = (&self.view.full, self.fitted.breaks().bare());
+        let Aim::Squares(target) = self.asked.aim else { return Ok(None) };
+        if !self.merit().0 && self.status() == FitStatus::Converged || full.points.len() > MOST_FOLLOWED {
+            return Ok(None);
+        }
+        let mut at = interpolating_grid(bare.degree, &full.parameters, 0.0, bare.end, bare.closed);
+        // The first and the last piece of an open curve reach over several points.
+        let spare = if bare.closed { 0 } else { (bare.degree / 2).min(at.len() / 2) };
+        at.truncate(at.len() - spare);
+        at.drain(..spare);
+        let breaks = Breaks { multiplicity: vec![1; at.len()], at, ..bare };
+        let mut search = Self::pruning(full.copied()?, breaks, target, self.asked.noise);
+        let wild = Spline::of(&search.fitted).wild_piece(full, target);
+        search.keep_by_squares(wild);
+        Ok(Some(search))
     }
 }
 

@@ -33,7 +33,7 @@ impl Sparsest {
             return Phase::Last(next + 1);
         }
         self.fitted = trial;
-        self.keep_by_squares();
+        self.keep_by_squares(None);
         Phase::Last(0)
     }
 

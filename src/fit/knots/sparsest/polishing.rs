@@ -125,12 +125,12 @@ impl Sparsest {
     }
 
     /// Keeps the fit in hand, of which the sum of squares is all that is known.
-    pub(super) fn keep_by_squares(&mut self) {
+    pub(super) fn keep_by_squares(&mut self, wild: Option<usize>) {
         self.found = Some(Found {
             spline: Spline::of(&self.fitted),
             located: self.view.full.clone(),
             distances: Distances { largest: f64::INFINITY, squares: self.fitted.squares },
-            wild: None,
+            wild,
         });
     }
 
@@ -140,7 +140,7 @@ impl Sparsest {
         let small = self.fitted.squares <= target;
         let wild = Spline::of(&self.fitted).wild_piece(&self.view.full, target);
         if !kept || small && wild.is_none() {
-            self.keep_by_squares();
+            self.keep_by_squares(wild);
         }
         let breaks = self.fitted.breaks();
         if let Some(piece) = wild.filter(|_| small && breaks.len() > least(breaks))
