@@ -490,3 +490,46 @@ fn corners_of_few_points_are_corners_all_the_same() {
         }
     }
 }
+
+/// The points of an open curve, with steps of all lengths: a click of a mouse is where a hand puts it.
+fn clicks(at: impl Fn(f64) -> Point, count: usize, seed: u64) -> Vec<Point> {
+    let mut random = Random::new(seed);
+    let last = (count - 1) as f64;
+    let mut place = |i: usize| {
+        let inside = i > 0 && i + 1 < count;
+        at((i as f64 + if inside { 0.35 * random.symmetric() } else { 0.0 }) / last)
+    };
+    (0..count).map(&mut place).collect()
+}
+
+#[test]
+fn a_dozen_clicks_along_an_open_curve_are_followed() {
+    // Bends and steps of all lengths were taken for noise: a spiral of ten points was 42 astray, two waves became a line.
+    let spiral = |share: f64| {
+        let (angle, radius) = (3.2 * PI * share, 20.0 + 100.0 * share);
+        Point::new(radius * libm::cos(angle), radius * libm::sin(angle))
+    };
+    let waves = |share: f64| Point::new(240.0 * share, 40.0 * libm::sin(4.0 * PI * share + 0.7));
+    let zigzag = |share: f64| {
+        let corners = [[0.0, 160.0], [20.0, 0.0], [80.0, 120.0], [140.0, 0.0], [160.0, 160.0]];
+        let side = ((4.0 * share) as usize).min(3);
+        let [from, to] = [side, side + 1].map(|corner| Point::new(corners[corner][0], corners[corner][1]));
+        from + (to - from) * (4.0 * share - side as f64)
+    };
+    let drawings: [&dyn Fn(f64) -> Point; 3] = [&spiral, &waves, &zigzag];
+    for (number, drawing) in drawings.iter().enumerate() {
+        for count in [9, 10, 11] {
+            for seed in 0..6 {
+                let points = clicks(drawing, count, seed);
+                let options = Options { closed: Some(false), ..Options::default() };
+                let found = fit(&points, Ask::Noise, &options).expect("it can be fitted");
+                // What is told as noise is 3 % of some 240 at most, and a point is off by four times that at most.
+                assert!(
+                    found.max_error < 29.0,
+                    "drawing {number}, {count} points, seed {seed}: {}",
+                    found.max_error
+                );
+            }
+        }
+    }
+}

@@ -32,6 +32,9 @@ const MOST_TWICE: usize = 2000;
 /// More points than this have a curve through them only on a grid that is asked for.
 const MOST_THROUGH: usize = 50_000;
 
+/// Whether a mean square may be asked for: the bindings of the package never do.
+const BY_SQUARES: bool = !cfg!(feature = "wasm-fit");
+
 /// How far a run has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
@@ -344,9 +347,10 @@ impl Fitter {
                 if done && searches.iter().all(|search| search.missed().is_some()) {
                     done = searches[0].resort_to_polyline()?;
                 }
-                if done
+                if BY_SQUARES
+                    && done
                     && searches.len() == 1
-                    && let Some(search) = searches[0].from_all_points()?
+                    && let Some(search) = searches[0].through_all_points()?
                 {
                     searches.push(search);
                     done = false;

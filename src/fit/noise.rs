@@ -49,8 +49,10 @@ const BESIDE: usize = 2;
 /// So many points tell about their noise, and fewer than so many may be vertices of a polygon instead.
 const LEAST: usize = 9;
 const VERTICES: usize = 64;
-/// Noise that is such a part of the drawing leaves none.
+/// Noise that is such a part of the drawing leaves none: of a closed one, and of open ones of fewer points than so many. Differences of few
+/// points see corners, narrow bends and steps of all lengths as noise.
 const SHAPELESS: f64 = 0.14;
+const OPEN: [(usize, f64); 2] = [(12, 0.03), (32, 0.06)];
 /// Cosines that are no farther apart are of one angle.
 const EQUAL: f64 = 1e-6;
 /// Of many points that are no slope on a grid one in so many turns sharply as the one before it did.
@@ -63,8 +65,9 @@ const ENOUGH: usize = 20_000;
 /// a curve may bend much from one to the next.
 ///
 /// Clean points give a number far below their spacing. Fewer than nine points give 0, and so do the vertices of a polygon: where half
-/// of at most 500 turn by one angle of more than 50° (from 64 on, where that is no staircase), and fewer than 64 points of a
-/// closed curve that would be off by a seventh of their box. O(M log M).
+/// of at most 500 turn by one angle of more than 50° (from 64 on, where that is no staircase), and few points that would be off by much
+/// of their box: fewer than 64 of a closed curve by a seventh, fewer than 32 of an open one by a sixteenth, fewer than 12 by a
+/// thirtieth. O(M log M).
 ///
 /// # Accuracy
 ///
@@ -167,8 +170,9 @@ pub(super) fn levels(samples: &Samples) -> [f64; 2] {
             levels = [0, 1].map(|part| finer[part].max(levels[part].min(faint)));
         }
     }
-    let shapeless = samples.closed && count < VERTICES && levels[0] > SHAPELESS * size_of(points);
-    if shapeless { [0.0; 2] } else { levels }
+    let few = if samples.closed { &[(VERTICES, SHAPELESS)][..] } else { &OPEN };
+    let most = few.iter().find(|(fewer, _)| count < *fewer).map_or(1.0, |(_, most)| *most);
+    if levels[0] > most * size_of(points) { [0.0; 2] } else { levels }
 }
 
 /// What differences of one order find.

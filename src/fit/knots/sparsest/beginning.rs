@@ -219,7 +219,7 @@ impl Sparsest {
     ///
     /// `OutOfMemory`.
     #[inline(never)]
-    pub(in crate::fit) fn from_all_points(&self) -> Result<Option<Self>> {
+    pub(in crate::fit) fn through_all_points(&self) -> Result<Option<Self>> {
         let (full, bare) = (&self.view.full, self.fitted.breaks().bare());
         let Aim::Squares(target) = self.asked.aim else { return Ok(None) };
         if !self.merit().0 && self.status() == FitStatus::Converged || full.points.len() > MOST_FOLLOWED {
