@@ -5,8 +5,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
+use expline::HermiteCurve;
 use expline::trace::{Gray, Trace};
-use expline::{Curve, HermiteCurve};
 use support::pictures::{draw, inside, traced};
 
 /// A stroke: from a place to a place, and how wide it is.

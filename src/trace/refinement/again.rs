@@ -1,7 +1,6 @@
 //! Outlines that explain little of the picture begin again, along their contours: corners that were seen where there are none, or were not seen
 //! between strokes of a pixel, hold an outline where no step leads away from.
 
-use super::blocks::BLOCK;
 use super::coverage::parts;
 use super::grain::grain;
 use super::left::Left;
@@ -33,11 +32,12 @@ impl Refinement {
         self.poor = larger(POOR, GRAINS * grain(&self.shapes, &self.field).lower);
     }
 
-    /// A bit of the outline's second way, if there is to be one; whether that was the last. None of many pieces has one: it is no small letter.
+    /// A bit of the second way of a small outline, if there is to be one; whether that was the last.
     pub(super) fn again_on(&mut self, begin: &mut Begin) -> Result<bool> {
         let shape = &self.shapes[self.place.at];
         let Some(again) = &mut self.place.again else {
-            if shape.outline.len() > BLOCK || shape.left(&self.field).rms() <= self.poor {
+            let left = shape.left(&self.field);
+            if !left.is_small() || left.rms() <= self.poor {
                 return Ok(true);
             }
             if let Some(mut first) = begin(self.place.at, Other::Along)? {

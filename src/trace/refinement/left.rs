@@ -3,6 +3,11 @@
 use super::coverage::Part;
 use super::field::{BEYOND, Field};
 use crate::numerics::plane::larger;
+use crate::trace::outline::Outline;
+
+/// Pixels that a letter on a screen crosses at most, and that each of its pieces does.
+const SMALL: f64 = 256.0;
+const DENSE: f64 = 12.0;
 
 /// What is left of the picture in the pixels of some pieces.
 #[derive(Clone, Copy, Debug, Default)]
@@ -49,6 +54,16 @@ impl Left {
         self.square += value * value;
         self.count += 1.0;
         self.most = larger(self.most, value);
+    }
+
+    /// Whether an outline that leaves this crosses as few pixels as a letter on a screen.
+    pub(super) fn is_small(&self) -> bool {
+        self.count < SMALL
+    }
+
+    /// Whether it crosses few with each piece, too: then these are no chords.
+    pub(super) fn is_dense(&self, outline: &Outline) -> bool {
+        self.is_small() && self.count < DENSE * outline.len() as f64
     }
 
     pub(super) fn rms(&self) -> f64 {

@@ -22,10 +22,9 @@ const UNEVEN: f64 = 0.04;
 /// Stretches that have to say so.
 const ENOUGH: usize = 3;
 /// How many times as much as fine outlines rough ones may leave for the rest to be none of the drawing, root mean squares: where flat places
-/// are not flat, and where they are. There fine outlines follow the grain, which has the period of their pieces, and chords.
-const ROUGHER: [f64; 2] = [1.25, 1.2];
-/// Where flat places are flat, rough outlines may leave so many times the grain in any case: in small letters they leave five times as much, and are not
-/// what was drawn.
+/// are not flat, and where they are. There fine outlines follow the grain, which has the period of their pieces, and chords. Last where they are of so
+/// few pixels a piece that these are no chords, but small letters, of which rough outlines leave five times the grain: they may leave it so many times.
+const ROUGHER: [f64; 3] = [1.25, 3.5, 1.2];
 const GRAINS: f64 = 2.0;
 /// How many times farther than in a picture of exact coverage a large outline may be from an ellipse that it is: what draws by samples draws chords that
 /// are up to a third of a pixel off.
@@ -96,15 +95,17 @@ impl Refinement {
     fn choose(&mut self) {
         let grain = KNOWN * self.picture.grain;
         self.limits.grain = grain.min(GRAINIEST);
-        let (times, enough) = if self.is_grainy() {
-            (ROUGHER[1], GRAINS * self.picture.grain)
-        } else {
-            (ROUGHER[0], self.picture.grain)
-        };
+        let flat = self.is_grainy();
         for (shape, FineOutline { outline, left, .. }) in
             self.shapes.iter_mut().zip(core::mem::take(&mut self.fine.outlines))
         {
-            if shape.left(&self.field).rms() > larger(times * left.rms(), enough) {
+            let rough = shape.left(&self.field);
+            let (times, enough) = match (flat, rough.is_dense(&shape.outline)) {
+                (true, true) => (ROUGHER[2], GRAINS * self.picture.grain),
+                (true, false) => (ROUGHER[1], grain),
+                _ => (ROUGHER[0], self.picture.grain),
+            };
+            if rough.rms() > larger(times * left.rms(), enough) {
                 self.refiner.replace(&mut self.field, shape, outline);
             }
         }
