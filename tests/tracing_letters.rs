@@ -143,3 +143,78 @@ fn dense_places_of_small_letters_are_not_taken_for_their_ink() {
     }
     assert_eq!(tones(&bytes).ink, 256.0 * 130.0);
 }
+
+/// How much of each pixel is inside what was traced, by eight rows of eight samples.
+fn coverage(trace: &Trace, width: usize, height: usize) -> Vec<f64> {
+    let outlines = outlines(trace);
+    let pixel = |i: usize| {
+        let at = |k: usize, first: usize| first as f64 + 0.0625 + k as f64 / 8.0;
+        let inside =
+            (0..64).filter(|k| covered(&outlines, at(k % 8, i % width), at(k / 8, i / width))).count();
+        inside as f64 / 64.0
+    };
+    (0..width * height).map(pixel).collect()
+}
+
+/// The largest difference between a picture, rows of ink in 255ths inside a margin of four pixels, and what is traced of it; and where that is.
+fn farthest(rows: &[&[u8]]) -> (f64, [usize; 2]) {
+    let (width, height) = (rows[0].len() + 8, rows.len() + 8);
+    let mut ink = vec![0_u8; width * height];
+    for (y, row) in rows.iter().enumerate() {
+        let first = (y + 4) * width + 4;
+        ink[first..first + row.len()].copy_from_slice(row);
+    }
+    let bytes: Vec<u8> = ink.iter().map(|ink| 255 - ink).collect();
+    let covered = coverage(&traced(width, height, &bytes), width, height);
+    let off = |i: usize| (covered[i] - f64::from(ink[i]) / 255.0).abs();
+    let worst = (0..width * height).max_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap_or(0);
+    (off(worst), [worst % width, worst / width])
+}
+
+#[test]
+fn an_outline_on_the_border_of_pixels_does_not_pass_a_notch_by() {
+    // An H as a browser draws it: past the notch between its right serifs, along the border of two columns, there is a way that crosses no pixel which
+    // says that anything is wrong.
+    let serif = [28, 255, 255, 255, 255, 110, 0, 0, 121, 255, 255, 255, 255, 20];
+    let stems = [0, 0, 156, 240, 0, 0, 0, 0, 0, 0, 255, 148, 0, 0];
+    let bar = [0, 0, 156, 255, 255, 255, 255, 255, 255, 255, 255, 148, 0, 0];
+    let feet = [21, 187, 227, 251, 187, 83, 0, 0, 92, 187, 255, 224, 187, 15];
+    let mut rows = vec![stems.as_slice(); 12];
+    (rows[0], rows[5], rows[11]) = (&serif, &bar, &feet);
+    let (off, [x, y]) = farthest(&rows);
+    assert!(off < 0.35, "off by {off} of the pixel at {x}, {y}");
+}
+
+#[test]
+fn a_stroke_of_one_whole_pixel_is_as_wide_as_it_is_between_gray_ones() {
+    // From a line of text of eleven pixels, as a browser draws it. Contours between gray strokes are moved to where there is some ink, and that of the i
+    // was half as wide as its stroke by that.
+    let rows: [&[u8]; 6] = [
+        &[
+            208, 150, 10, 0, 192, 236, 187, 149, 0, 245, 8, 0, 76, 192, 196, 179, 39, 0, 64, 196, 164, 188,
+            175, 26, 0, 0, 0, 0, 0, 12, 226, 32, 0, 0, 0, 0, 0, 0, 0, 0,
+        ],
+        &[
+            4, 145, 123, 0, 60, 190, 0, 0, 0, 245, 8, 24, 240, 51, 0, 118, 195, 0, 64, 239, 37, 0, 85, 146,
+            0, 0, 0, 0, 0, 30, 204, 208, 22, 0, 0, 58, 5, 0, 0, 0,
+        ],
+        &[
+            184, 202, 171, 0, 60, 190, 0, 0, 0, 245, 8, 80, 182, 0, 0, 7, 251, 12, 64, 190, 0, 0, 55, 189, 0,
+            0, 0, 0, 0, 203, 91, 93, 207, 21, 6, 234, 2, 0, 0, 0,
+        ],
+        &[
+            9, 79, 183, 0, 60, 190, 0, 0, 0, 245, 8, 81, 177, 0, 0, 1, 249, 12, 64, 187, 0, 0, 52, 194, 0, 0,
+            0, 0, 6, 255, 6, 0, 102, 206, 99, 160, 0, 0, 0, 0,
+        ],
+        &[
+            0, 162, 183, 0, 45, 209, 0, 0, 0, 245, 8, 24, 234, 49, 0, 110, 194, 0, 64, 187, 0, 0, 52, 194, 0,
+            0, 0, 0, 0, 192, 92, 0, 0, 136, 255, 51, 0, 0, 0, 0,
+        ],
+        &[
+            174, 142, 183, 0, 3, 148, 174, 149, 0, 245, 8, 0, 76, 193, 195, 179, 39, 0, 64, 187, 0, 0, 52,
+            194, 0, 0, 0, 0, 0, 24, 155, 172, 178, 147, 116, 213, 27, 0, 0, 0,
+        ],
+    ];
+    let (off, [x, y]) = farthest(&rows);
+    assert!(off < 0.35, "off by {off} of the pixel at {x}, {y}");
+}

@@ -179,7 +179,7 @@ fn quasi_interpolant(chain: &Chain, options: &TraceOptions, rounding: f64) -> Re
     let (curve, metrics) = (profile.curve()?, profile.metrics()?);
     if chain.is_closed() {
         let ring = Outline::polygon(chain.points())?;
-        if !is_about(curve.area()?, ring.area()) {
+        if !is_about(curve.area()?, ring.area(), 1.0) {
             // Splines of a few points may enclose nothing.
             let curve = ring.to_curve(vec![0.0; ring.len()])?;
             let metrics = agreement(&curve, chain.points())?;

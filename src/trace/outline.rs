@@ -23,9 +23,9 @@ const SWING: f64 = 0.1;
 /// An outline encloses at least this share of the area that its contour does, and at most so many times as much.
 const AREAS: [f64; 2] = [0.6, 4.0];
 
-/// Whether an outline may have an area where its contour has another.
-pub(super) fn is_about(area: f64, of_contour: f64) -> bool {
-    (AREAS[0]..=AREAS[1]).contains(&(area / of_contour))
+/// Whether an outline may have an area where its contour has another, of which outlines have a share at least.
+pub(super) fn is_about(area: f64, of_contour: f64, share: f64) -> bool {
+    (AREAS[0] * share..=AREAS[1]).contains(&(area / of_contour))
 }
 
 /// What leads from one node to the next.
@@ -110,9 +110,9 @@ impl Outline {
         })
     }
 
-    /// Whether it has about the area of what it is the outline of: two sides that became one line enclose nothing.
-    pub(super) fn encloses(&self, area: f64) -> bool {
-        is_about(self.area(), area)
+    /// Whether it has about the area of what it is the outline of, or a share of that at least: two sides that became one line enclose nothing.
+    pub(super) fn encloses(&self, area: f64, share: f64) -> bool {
+        is_about(self.area(), area, share)
     }
 
     /// What its lists take.

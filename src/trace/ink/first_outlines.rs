@@ -121,7 +121,7 @@ impl InkWork {
             return Ok((cost, false));
         };
         self.division = None;
-        if !outline.encloses(self.found[i].area) {
+        if !outline.encloses(self.found[i].area, 1.0) {
             outline = Outline::polygon(samples.places())?;
         }
         outline.cut_to([self.gray.width() as f64, self.gray.height() as f64]);

@@ -1,7 +1,7 @@
 //! Outlines that explain little of the picture begin again, along their contours: corners that were seen where there are none, or were not seen
 //! between strokes of a pixel, hold an outline where no step leads away from.
 
-use super::coverage::parts;
+use super::coverage::pieces;
 use super::grain::grain;
 use super::left::Left;
 use super::{Begin, FineOutline, Other, Refinement};
@@ -36,16 +36,20 @@ impl Refinement {
     pub(super) fn again_on(&mut self, begin: &mut Begin) -> Result<bool> {
         let shape = &self.shapes[self.place.at];
         let Some(again) = &mut self.place.again else {
-            let left = shape.left(&self.field);
-            if !left.is_small() || left.rms() <= self.poor {
+            if !shape.left(&self.field).is_small() {
                 return Ok(true);
             }
-            if let Some(mut first) = begin(self.place.at, Other::Along)? {
-                first.cut_to(self.field.extent);
-                let before = shape.outline.clone();
-                self.place.again = Some(Again { before, first: first.clone(), fine: None });
-                self.exchange(first);
+            let Some(mut first) = begin(self.place.at, Other::Along)? else { return Ok(false) };
+            first.cut_to(self.field.extent);
+            // The edge of a pixel holds an outline that crosses none where the picture says anything: its contour does.
+            let mut left = shape.left(&self.field);
+            left.join(&Left::along(&first, &self.field));
+            if left.rms() <= self.poor {
+                return Ok(true);
             }
+            let before = shape.outline.clone();
+            self.place.again = Some(Again { before, first: first.clone(), fine: None });
+            self.exchange(first);
             return Ok(false);
         };
         if self.place.refined && again.fine.is_none() {
@@ -63,11 +67,7 @@ impl Refinement {
         let (at, field, refiner) = (self.place.at, &mut self.field, &mut self.refiner);
         let shape = &mut self.shapes[at];
         let mut both = shape.parts.clone();
-        for i in 0..before.len() {
-            let mut list = Vec::new();
-            parts(&before.cubic(i), field, &mut list);
-            both.push(list);
-        }
+        both.extend(pieces(&before, before.len(), field));
         let second = Left::of(&both, field);
         let after = shape.outline.clone();
         refiner.replace(field, shape, before);

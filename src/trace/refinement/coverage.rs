@@ -2,6 +2,7 @@
 
 use super::field::{BEYOND, Field, SIDE};
 use crate::numerics::plane::{larger, norm, smaller};
+use crate::trace::outline::Outline;
 use crate::trace::outline::cubic::Cubic;
 
 /// A part of a piece inside one pixel.
@@ -58,6 +59,15 @@ pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
         (from, cell) = (to, last);
     }
     out.truncate(written);
+}
+
+/// What pixels the first pieces of an outline cross.
+pub(super) fn pieces(outline: &Outline, count: usize, field: &Field) -> impl Iterator<Item = Vec<Part>> {
+    (0..count).map(move |i| {
+        let mut list = Vec::new();
+        parts(&outline.cubic(i), field, &mut list);
+        list
+    })
 }
 
 /// Parts that are written over.

@@ -99,8 +99,13 @@ impl Refinement {
         for (shape, FineOutline { outline, left, .. }) in
             self.shapes.iter_mut().zip(core::mem::take(&mut self.fine.outlines))
         {
-            let rough = shape.left(&self.field);
-            let (times, enough) = match (flat, rough.is_dense(&shape.outline)) {
+            let mut rough = shape.left(&self.field);
+            let dense = rough.is_dense(&shape.outline);
+            if rough.is_small() {
+                // A small letter passes by what it lacks.
+                rough.join(&Left::along(&outline, &self.field));
+            }
+            let (times, enough) = match (flat, dense) {
                 (true, true) => (ROUGHER[2], GRAINS * self.picture.grain),
                 (true, false) => (ROUGHER[1], grain),
                 _ => (ROUGHER[0], self.picture.grain),

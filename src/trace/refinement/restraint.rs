@@ -1,6 +1,6 @@
 //! Outlines that went astray are led back: a picture of more than two tones draws them to where they explain nothing.
 
-use super::coverage::{Part, parts};
+use super::coverage::{Part, pieces};
 use super::field::Field;
 use super::left::Left;
 use super::refine::{Refiner, Shape};
@@ -89,7 +89,7 @@ impl Refinement {
         if lost {
             back.start_again(shape, first, Run { count: shape.outline.len(), ..whole });
         }
-        if !shape.outline.encloses(self.share * first.area()) {
+        if !shape.outline.encloses(first.area(), self.share) {
             back.refiner.replace(back.field, shape, first.clone());
         }
     }
@@ -184,11 +184,7 @@ impl Back<'_> {
         let mut lists: Vec<Vec<Part>> =
             (0..run.count).map(|k| shape.parts[(run.at + k) % all].clone()).collect();
         let own = Left::of(&lists, self.field);
-        for i in 0..count {
-            let mut list = Vec::new();
-            parts(&back.cubic(i), self.field, &mut list);
-            lists.push(list);
-        }
+        lists.extend(pieces(back, count, self.field));
         let before = Left::of(&lists, self.field);
         (lists, before, own)
     }

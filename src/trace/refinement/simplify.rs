@@ -31,6 +31,8 @@ const MOST_EASE: f64 = 2.0;
 const SLID: f64 = 3.0;
 /// A merged piece that leaves so many times as much as it may will not get good.
 const HOPELESS: f64 = 3.0;
+/// How many times as much as usual may be left where the two were: what neither lacked the new piece may no longer cross, a notch that it passes by.
+const PASSED: f64 = 4.0;
 
 /// A round of taking joints away, one by one, while the picture stays as well explained as `limits` say. Only what is next to a joint moves.
 #[derive(Debug)]
@@ -120,7 +122,12 @@ impl Trial<'_> {
         left.add(&self.shape.parts[i], self.field);
         let stretch = Stretch { first: before, count: 2, pieces: vec![piece], between: Vec::new() };
         let mut window = Window::open(self.refiner, self.field, self.shape, stretch);
-        let good = self.settles(&mut window.shape, &left, forced)?;
+        let good = self.settles(&mut window.shape, &left, forced)? && {
+            let mut gone = Left::default();
+            gone.add(&self.shape.parts[before], self.field);
+            gone.add(&self.shape.parts[i], self.field);
+            self.limits.allow(&gone, &left, PASSED)
+        };
         if good {
             for node in 0..2 {
                 // What is longer now may grow further.
