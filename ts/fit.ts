@@ -65,7 +65,13 @@ function begin(op: string, { input, question }: Order): Resident {
  * is the same to the last bit wherever and whenever it is computed.
  *
  * @throws {ExplineError} E_TOO_FEW_POINTS below two points, three of a closed curve; an open one with `lambda` or `smoothing` needs one more than its highest
- *   degree, 4 by default; E_DEGENERATE where all are the same, E_LIMIT above 500,000 points.
+ *   degree, 4 by default; E_DEGENERATE where all are the same, E_LIMIT above 500,000 points; E_TYPE for two strengths at once.
+ * @example
+ * ```js
+ * const noisy = Array.from({ length: 300 }, (_, i) => [i, 40 * Math.sin(i / 40) + Math.sin(97 * i)]);
+ * const { curve, knots, maxError, status } = fitSparse(noisy, { tolerance: 3, closed: false });
+ * console.log(curve.closed, knots.length < 15, maxError <= 3, status); // → false true true converged
+ * ```
  */
 export function fitSparse(points: PointsLike, options?: SparseFitOptions): SparseFit {
   const op = "fitSparse";
@@ -178,6 +184,13 @@ function noiseOf(op: string, { input }: Order): number {
  * {@link fitSparse} in short tasks on the caller's own thread: a page goes on painting and answering meanwhile. In a worker it lets messages through,
  * so that one of them can abort the signal.
  *
+ * @example
+ * ```js
+ * const points = Array.from({ length: 300 }, (_, i) => [50 * Math.cos(i / 48), 30 * Math.sin(i / 48)]);
+ * const { curve } = await fitSparseAsync(points, { tolerance: 0.5, signal: AbortSignal.timeout(10_000) });
+ * console.log(curve.closed, curve.points.length / 2 < 8); // → true true
+ * ```
+ *
  * @throws {ExplineError} as fitSparse does, by rejecting; E_CANCELLED when the signal was aborted, within a few milliseconds.
  */
 export async function fitSparseAsync(points: PointsLike, options?: SparseFitOptions): Promise<SparseFit> {
@@ -209,6 +222,15 @@ let stateOf: (fitter: SparseFitter, op: string) => { held: Held | undefined };
  * A solve gives what {@link fitSparse} does, to the last bit, whatever was solved before. With a `gap` of 1e-3 or more, for what is to be seen at
  * once, a solve by `lambda` or `smoothing` starts where the last one ended instead: its objective agrees with that of {@link fitSparse} within the
  * gap, and what `finish` makes of it may have other knots.
+ *
+ * @example
+ * ```js
+ * const points = Array.from({ length: 300 }, (_, i) => [50 * Math.cos(i / 48), 30 * Math.sin(i / 48)]);
+ * const fitter = new SparseFitter(points, { degree: 3 });
+ * const counts = [0.2, 0.6].map((smoothing) => fitter.solve({ smoothing }).knots.length);
+ * fitter.dispose();
+ * console.log(counts[1] <= counts[0]); // → true
+ * ```
  */
 export class SparseFitter {
   /** Bundles shorten names: this one is what a console shows. @internal */
@@ -244,6 +266,8 @@ export class SparseFitter {
   /**
    * The fit for another strength; without one, for that of the constructor. So with `signal`, which is looked at once, before the work begins, and
    * `onProgress`.
+   *
+   * @throws {ExplineError} as {@link fitSparse} does; E_DISPOSED after {@link SparseFitter.dispose}, E_BUSY while another solve is under way.
    */
   solve(strength?: FitterStrength): SparseFit {
     const op = "solve";
@@ -258,7 +282,11 @@ export class SparseFitter {
     }
   }
 
-  /** The same in short tasks; an abort leaves the fitter as usable as it was. */
+  /**
+   * The same in short tasks; an abort leaves the fitter as usable as it was.
+   *
+   * @throws {ExplineError} as {@link SparseFitter.solve} does, by rejecting; E_CANCELLED when the signal was aborted, within a few milliseconds.
+   */
   async solveAsync(strength?: FitterStrength): Promise<SparseFit> {
     const op = "solveAsync";
     const held = take(this, op);

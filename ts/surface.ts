@@ -81,7 +81,17 @@ export class TensorSurface {
     this.#data = options instanceof SurfaceData ? options : checkedSurface(NAME, options);
   }
 
-  /** A sphere about the origin: u runs round, v from the south pole (0, 0, −radius) to the north pole. `segments`: units in u and v, at least 3 and 2, by default [8, 4]. */
+  /**
+   * A sphere about the origin: u runs round, v from the south pole (0, 0, −radius) to the north pole. `segments`: units in u and v,
+   * at least 3 and 2, at most 1024, by default [8, 4].
+   *
+   * @throws {ExplineError} E_RANGE of a `radius` that is not above 0, and of `segments`; as do all shapes here.
+   * @example
+   * ```js
+   * const { positions, normals, indices } = TensorSurface.sphere(5).mesh(64, 33);
+   * console.log(positions.length, normals.length, indices.length % 3); // → 6336 6336 0
+   * ```
+   */
   static sphere(radius: number, segments?: readonly [number, number]): TensorSurface {
     return shape("sphere", 0, [["radius", radius]], segments, [8, 4]);
   }
@@ -91,7 +101,7 @@ export class TensorSurface {
     return shape("ellipsoid", 1, three("ellipsoid", "radii", radii), segments, [8, 4]);
   }
 
-  /** A torus about the z axis: u runs round the axis at distance `radius`, v round the tube. `segments` at least 3, by default [8, 6]. */
+  /** A torus about the z axis: u runs round the axis at distance `radius`, v round the tube, of radius `tube`; both above 0. `segments` at least 3, by default [8, 6]. */
   static torus(radius: number, tube: number, segments?: readonly [number, number]): TensorSurface {
     return shape("torus", 2, [["radius", radius], ["tube", tube]], segments, [8, 6]);
   }
@@ -167,6 +177,9 @@ export class TensorSurface {
    * Points, or derivatives (`du` times by u, `dv` times by v), at pairs of parameters: x, y and z in turn.
    *
    * Derivatives up to n₀ − 2 are continuous. Closed directions take any parameter.
+   *
+   * @throws {ExplineError} E_RANGE of parameters outside the domain of an open direction, and of `du` or `dv` outside 0 to 8; E_LENGTH where `u` and `v`
+   *   are not as many.
    */
   evaluate(u: number | Float64Array | readonly number[], v: number | Float64Array | readonly number[], du = 0, dv = 0): Float64Array {
     const op = "evaluate";
@@ -179,7 +192,7 @@ export class TensorSurface {
     return pairwise(this, "normal", u, v, (kernel, slot, count) => kernel.surface_evaluate(slot, count, 255, 0));
   }
 
-  /** Gaussian curvature, and mean curvature with respect to the normal (negative on a sphere), at pairs of parameters. */
+  /** Gaussian curvature, in 1 per unit squared, and mean curvature, in 1 per unit, with respect to the normal (negative on a sphere), at pairs of parameters. */
   curvature(
     u: number | Float64Array | readonly number[],
     v: number | Float64Array | readonly number[],
@@ -192,6 +205,8 @@ export class TensorSurface {
    *
    * The triangles depend on `rows`, `cols` and on what is closed, not on the net. With `out`, a mesh of the same size is
    * filled again, whether it holds Float64Arrays or Float32Arrays; its triangles are left as they are.
+   *
+   * @throws {ExplineError} E_RANGE of `rows` or `cols` below 2, E_LIMIT where they are more than 4,000,000 vertices; E_LENGTH of an `out` of another size.
    */
   mesh(rows: number, cols: number): SurfaceMesh & { positions: Float64Array; normals: Float64Array };
   /** Fills a mesh of the same size again, whether it holds Float64Arrays or Float32Arrays; its triangles are left as they are. */
@@ -209,6 +224,8 @@ export class TensorSurface {
   /**
    * Computes the part of a mesh again that net point (i, j), or control point (i, j) of a patch, touches: to the last bit what
    * `mesh` would give. Returns which part.
+   *
+   * @throws {ExplineError} E_RANGE of an `i` or `j` that the net, or the patch, has not; E_TYPE for what is no mesh, E_LENGTH for one of the wrong size.
    */
   remesh(mesh: SurfaceMesh, i: number, j: number, patch?: number): MeshRegion {
     const op = "remesh";
@@ -231,6 +248,8 @@ export class TensorSurface {
    * The same surface with a finer net: 2^levelsU times the points in u, 2^levelsV times in v.
    *
    * A refined direction holds control points near the surface; what is closed stays closed, and the parameter stays.
+   *
+   * @throws {ExplineError} E_RANGE of levels outside 0 to 12; E_LIMIT where a direction's would be above 12, or the net have more than 4,194,304 points.
    */
   refine(levelsU: number, levelsV: number): TensorSurface {
     const op = "refine";
@@ -242,6 +261,8 @@ export class TensorSurface {
   /**
    * The nearest surface whose net is coarser by 2^levelsU and 2^levelsV, and `maxError`, the largest distance from this one, parameter
    * by parameter, to about 1e-4 of itself. What was refined and not changed comes back; level 0 goes through its points again.
+   *
+   * @throws {ExplineError} E_RANGE of more levels than the direction has.
    */
   reduce(levelsU: number, levelsV: number): { surface: TensorSurface; maxError: number } {
     const op = "reduce";
@@ -254,6 +275,9 @@ export class TensorSurface {
   /**
    * The same surface, to the last bit, with a patch of finer control points around (u, v): `levels` (default 1) doublings beyond the net's, all
    * within `reach` units (default 1) in each direction. The rest of the net stays as it is; its points take the detail along.
+   *
+   * @throws {ExplineError} E_RANGE of `u` or `v` outside an open direction, of `levels` outside 1 to 12, of `reach` outside 0 to 1e6; E_DEGENERATE of a
+   *   `reach` within which there is no control point.
    */
   refineAt(
     u: number,
@@ -268,7 +292,11 @@ export class TensorSurface {
     return derived(data.ask(op, (kernel, slot) => kernel.surface_refine_at(slot, ...at, ...how)));
   }
 
-  /** The control points of a patch, three numbers each, v fastest. */
+  /**
+   * The control points of a patch, three numbers each, v fastest.
+   *
+   * @throws {ExplineError} E_RANGE of a `patch` that there is not.
+   */
   patchPoints(patch: number): Float64Array {
     const op = "patchPoints";
     const data = dataOf(this, op);
@@ -280,6 +308,8 @@ export class TensorSurface {
    * Moves net point (i, j).
    *
    * A smooth pole, where a whole row is one point, stays smooth: that row moves as one, and the rows beyond follow those inside.
+   *
+   * @throws {ExplineError} E_RANGE of an `i` or `j` that the net has not, and of coordinates beyond ±1e9; nothing has moved then.
    */
   setPoint(i: number, j: number, x: number, y: number, z: number): void {
     const op = "setPoint";
@@ -292,7 +322,11 @@ export class TensorSurface {
     data.touchBoth();
   }
 
-  /** Moves control point (i, j) of a patch, counted within it. */
+  /**
+   * Moves control point (i, j) of a patch, counted within it.
+   *
+   * @throws {ExplineError} as {@link TensorSurface.setPoint} does, and E_RANGE of a `patch` that there is not.
+   */
   setPatchPoint(patch: number, i: number, j: number, x: number, y: number, z: number): void {
     const op = "setPatchPoint";
     const data = dataOf(this, op);
@@ -319,7 +353,11 @@ export class TensorSurface {
     return surfaceOf(Object.assign(new SurfaceData(image(net), u, v, moved), { end, first }));
   }
 
-  /** A mesh as a Wavefront OBJ file, with normals. `rows` and `cols` default to 64, `name` to "surface". */
+  /**
+   * A mesh as a Wavefront OBJ file, with normals. `rows` and `cols` default to 64, `name` to "surface".
+   *
+   * @throws {ExplineError} as {@link TensorSurface.mesh} does; E_LIMIT with `limit` "maxWrittenVertices" above 1,000,000 vertices.
+   */
   toObj(options?: MeshFileOptions): string {
     const op = "toObj";
     const { rows, cols, name } = fileOptions(op, options);

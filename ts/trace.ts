@@ -59,7 +59,15 @@ function stepOf(op: string, picture: Picture): Step {
  *
  * @throws {ExplineError} E_LIMIT with `limit` "maxContours", `actual` and `offer` for a photograph; "maxContourPoints" where contours cross more places
  *   between pixels than half as many as there are pixels, and 65,536 (noise, dithering: a `blur` helps); "maxPixels" above 40 megapixels.
- *   E_MEMORY where outlines are so many or so long that the 512 MiB of an engine do not do; half the size needs less than half.
+ *   E_MEMORY where outlines are so many or so long that the 512 MiB of an engine do not do; half the size needs less than half. E_LENGTH of `data`
+ *   that `width` and `height` do not explain.
+ * @example
+ * ```js
+ * const shade = (i) => 255 * Math.min(1, Math.max(0, Math.hypot((i % 64) - 31.5, (i >> 6) - 31.5) - 19.5)); // a disc of radius 20
+ * const image = { width: 64, height: 64, data: Uint8Array.from({ length: 64 * 64 }, (_, i) => shade(i)) }; // or an ImageData
+ * const [{ curve, closed }] = traceImage(image).contours;
+ * console.log(closed, curve.asEllipse(0.05).radii.map((radius) => radius.toFixed(1))); // → true [ '20.0', '20.0' ]
+ * ```
  */
 export function traceImage(image: ImageLike, options?: TraceOptions): Trace {
   const op = "traceImage";

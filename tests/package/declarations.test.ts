@@ -7,7 +7,9 @@ import { dirname, join } from "node:path";
 
 import ts from "typescript";
 
-const DECLARATIONS = join(process.cwd(), "build", "consumer", "node_modules", "expline", "pkg", "types", "index.d.ts");
+import { CONSUMER, runs } from "./snippet.ts";
+
+const DECLARATIONS = join(CONSUMER, "node_modules", "expline", "pkg", "types", "index.d.ts");
 
 /** Everything that the package exports, by the name that it has there. */
 function exported(checker: ts.TypeChecker, file: ts.SourceFile): [string, ts.Symbol][] {
@@ -56,6 +58,19 @@ test("an editor shows what it is doing beside every way to call a function", () 
   }
   assert.ok(overloads > 100, `only ${overloads} were looked at`);
   assert.deepEqual(silent, []);
+});
+
+test("every example runs, and prints what it says", async () => {
+  const folder = dirname(DECLARATIONS);
+  const names = Object.keys((await import("expline")) as Record<string, unknown>).filter((name) => name !== "default");
+  const files = readdirSync(folder, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".d.ts"));
+  const examples = files.flatMap((name) => [...readFileSync(join(folder, name), "utf8").matchAll(/@example\n\s*\* ```js\n([\s\S]*?)\* ```$/gm)]);
+  assert.ok(examples.length >= 12, `only ${examples.length} examples`);
+  for (const [i, [, text = ""]] of examples.entries()) {
+    const code = text.replace(/^\s*\* /gm, "");
+    assert.match(code, /^console\.log\(.*\); \/\/ → .+$/m, "an example that says what comes out");
+    runs(`example-${i}`, `import { ${names.join(", ")} } from "expline";\n${code}`);
+  }
 });
 
 /** What TypeScript 5.0 cannot read: typed arrays that say what they lie on came with 5.7, the part of the library for `using` with 5.2. */

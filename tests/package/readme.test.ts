@@ -11,8 +11,8 @@ import { gzipSync } from "node:zlib";
 import { transform } from "esbuild";
 
 import { type Recorded, inserted } from "../../bench/tables.mjs";
+import { CONSUMER, runs } from "./snippet.ts";
 
-const consumer = join(process.cwd(), "build", "consumer");
 const text = readFileSync(join(process.cwd(), "README.md"), "utf8");
 
 function snippets(language: string): string[] {
@@ -21,12 +21,7 @@ function snippets(language: string): string[] {
 
 for (const [i, code] of snippets("js").entries()) {
   test(`snippet ${i + 1} of the README runs, and prints what it says`, () => {
-    const file = join(consumer, `snippet-${i}.mjs`);
-    writeFileSync(file, code);
-    const { stdout, stderr, status } = spawnSync(process.execPath, [file], { encoding: "utf8" });
-    assert.equal(status, 0, stderr);
-    const expected = [...code.matchAll(/^console\.log\(.*\); \/\/ → (.*)$/gm)].map(([, line]) => line);
-    if (expected.length > 0) assert.deepEqual(stdout.trimEnd().split("\n"), expected);
+    runs(`snippet-${i}`, code);
   });
 }
 
@@ -37,7 +32,7 @@ test("the worker's snippets run: a newer picture ends the work on an older one, 
     globalThis.postMessage = (message) => parentPort.postMessage(message);
     globalThis.addEventListener = (_, hear) => parentPort.on("message", (data) => hear({ data }));
   `;
-  writeFileSync(join(consumer, "tracer.js"), inThread + tracer);
+  writeFileSync(join(CONSUMER, "tracer.js"), inThread + tracer);
   const inPage = `
     import { Worker as Thread } from "node:worker_threads";
     globalThis.Worker = class {
@@ -63,9 +58,9 @@ test("the worker's snippets run: a newer picture ends the work on an older one, 
     console.log(JSON.stringify([ends.map(({ reason }) => reason?.code), round.asEllipse(0.05).radii, listening]));
     await globalThis.thread.terminate();
   `;
-  writeFileSync(join(consumer, "page.mjs"), page);
-  writeFileSync(join(consumer, "in-page.mjs"), inPage);
-  const { stdout, stderr, status } = spawnSync(process.execPath, [join(consumer, "in-page.mjs")], { encoding: "utf8", timeout: 60_000 });
+  writeFileSync(join(CONSUMER, "page.mjs"), page);
+  writeFileSync(join(CONSUMER, "in-page.mjs"), inPage);
+  const { stdout, stderr, status } = spawnSync(process.execPath, [join(CONSUMER, "in-page.mjs")], { encoding: "utf8", timeout: 60_000 });
   assert.equal(status, 0, stderr);
   const [codes, [radius], listening] = JSON.parse(stdout) as [(string | null)[], [number, number], number];
   assert.equal(listening, 0, "nobody listens to answers that have come");
@@ -111,7 +106,7 @@ test("the README's sizes are those of the package, gzipped, within a kilobyte", 
   };
   for (const [words, file] of Object.entries(files)) {
     const said = Number(new RegExp(`${words} ([0-9.]+) kB`).exec(line)?.[1]);
-    const { length } = gzipSync(readFileSync(join(consumer, "node_modules", "expline", "pkg", file)), { level: 9 });
+    const { length } = gzipSync(readFileSync(join(CONSUMER, "node_modules", "expline", "pkg", file)), { level: 9 });
     assert.ok(Math.abs(length / 1000 - said) < 1, `${words}: the README says ${said} kB, ${file} has ${length} bytes`);
   }
 });

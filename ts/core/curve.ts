@@ -50,7 +50,7 @@ export interface Nearest {
   y: number;
   /** Of a curve in space only. */
   z?: number;
-  /** How far that is, never negative. */
+  /** How far that is, in the user's unit, never negative. */
   distance: number;
 }
 
@@ -188,6 +188,16 @@ export abstract class MeasuredCurve implements Curve {
    * jumps it is that of the segment that starts there. A closed curve takes any t.
    *
    * @param out - where the numbers go, if not into a new array; it may be longer than needed.
+   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve, of `derivative` above the highest order; E_LENGTH of an `out` that is
+   *   too short.
+   * @example
+   * ```js
+   * const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 2 });
+   * const [x, y] = circle.evaluate(0.5); // a point
+   * const places = circle.evaluate([0, 0.5, 1]); // three points: x0, y0, x1, y1, x2, y2
+   * const [dx, dy] = circle.evaluate(0.5, 1); // the tangent there
+   * console.log(Math.hypot(x, y).toFixed(12), places.length, (x * dx + y * dy).toFixed(12)); // → 5.000000000000 6 0.000000000000
+   * ```
    */
   evaluate(t: number | Float64Array | readonly number[], derivative = 0, out?: Float64Array): Float64Array {
     const op = "evaluate";
@@ -216,6 +226,8 @@ export abstract class MeasuredCurve implements Curve {
    * of an open one; all coordinates in turn. With `tangents` each point is followed by its derivative: x, y, dx/dt, dy/dt.
    *
    * `out` is where the numbers go, if not into a new array; it may be longer than needed.
+   *
+   * @throws {ExplineError} E_RANGE of a `count` below 1, E_LIMIT above 4,000,000; E_LENGTH of an `out` that is too short.
    */
   sample(
     count: number,
@@ -240,7 +252,12 @@ export abstract class MeasuredCurve implements Curve {
     return all;
   }
 
-  /** `count` points at equal distances along the curve, all coordinates in turn; a closed one does not repeat its start. */
+  /**
+   * `count` points at equal distances along the curve, all coordinates in turn; a closed one does not repeat its start. `tolerance` is that of the
+   * lengths, in the user's unit; default 1e-9 of the curve's size.
+   *
+   * @throws {ExplineError} E_RANGE of a `count` below 1 or a `tolerance` that is not above 0, E_LIMIT of a `count` above 4,000,000.
+   */
   sampleByLength(count: number, options?: { tolerance?: number | undefined }): Float64Array {
     const op = "sampleByLength";
     const data = dataOf(this, op);
@@ -250,14 +267,23 @@ export abstract class MeasuredCurve implements Curve {
     return data.door.copy(data.ask(op, (kernel, slot) => kernel.sample_by_length(slot, n, within)));
   }
 
-  /** The length of the curve, to an absolute tolerance; default 1e-9 of its size. */
+  /**
+   * The length of the curve, to a tolerance in the user's unit; default 1e-9 of its size.
+   *
+   * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0.
+   */
   length(tolerance?: number): number {
     const op = "length";
     const within = orDefault(op, tolerance);
     return measure(dataOf(this, op), op, (kernel, slot) => kernel.length(slot, within));
   }
 
-  /** The parameter up to which the curve has the given length: from 0 to its own, of a closed curve no more than one round. */
+  /**
+   * The parameter up to which the curve has the given length: from 0 to its own, of a closed curve no more than one round. `tolerance` is that of
+   * the length, in the user's unit; default 1e-9 of the curve's size.
+   *
+   * @throws {ExplineError} E_RANGE of a `length` below 0 or above the curve's own, by more than the tolerance.
+   */
   parameterAtLength(length: number, tolerance?: number): number {
     const op = "parameterAtLength";
     const along = finite(op, "length", length);
@@ -265,12 +291,20 @@ export abstract class MeasuredCurve implements Curve {
     return measure(dataOf(this, op), op, (kernel, slot) => kernel.parameter_at_length(slot, along, within));
   }
 
-  /** The signed area of a closed curve, positive where it turns from the x axis towards the y axis. */
+  /**
+   * The signed area of a closed curve, positive where it turns from the x axis towards the y axis.
+   *
+   * @throws {ExplineError} E_DEGENERATE for an open curve, or one in space.
+   */
   area(): number {
     return measure(dataOf(this, "area"), "area", (kernel, slot) => kernel.area(slot));
   }
 
-  /** The centre of gravity of the area of a closed curve. */
+  /**
+   * The centre of gravity of the area of a closed curve.
+   *
+   * @throws {ExplineError} E_DEGENERATE for an open curve, one in space, or one whose area is 0.
+   */
   centroid(): { x: number; y: number } {
     const data = dataOf(this, "centroid");
     const x = measure(data, "centroid", (kernel, slot) => kernel.centroid(slot));
@@ -286,7 +320,17 @@ export abstract class MeasuredCurve implements Curve {
     return data.dimension === 2 ? plane : { ...plane, minZ: result(4), maxZ: result(5) };
   }
 
-  /** The point of the curve that is nearest to (x, y), in space to (x, y, z); of several the one that the curve reaches first. */
+  /**
+   * The point of the curve that is nearest to (x, y), in space to (x, y, z); of several the one that the curve reaches first.
+   *
+   * @throws {ExplineError} E_RANGE of a coordinate beyond ±1e9; E_TYPE where a curve in space is asked without `z`.
+   * @example
+   * ```js
+   * const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 4 });
+   * const { t, x, y, distance } = circle.nearest(0, 8);
+   * console.log(t.toFixed(3), x.toFixed(3), y.toFixed(3), distance.toFixed(3)); // → 1.000 0.000 5.000 3.000
+   * ```
+   */
   nearest(x: number, y: number, z?: number): Nearest {
     const op = "nearest";
     const toX = coordinate(op, "x", x);
@@ -312,7 +356,8 @@ export abstract class MeasuredCurve implements Curve {
    * The signed curvature at one or many parameters, in 1 per unit; positive where the curve turns from the x axis towards the y axis;
    * without a sign in space.
    *
-   * @throws {ExplineError} E_DEGENERATE where the speed is zero; `partial` then holds the values, with 0 at such places.
+   * @throws {ExplineError} E_DEGENERATE where the speed is zero; `partial` then holds the values, with 0 at such places. E_RANGE of `t` outside the
+   *   domain of an open curve.
    */
   curvature(t: number | Float64Array | readonly number[]): Float64Array {
     const op = "curvature";
@@ -327,6 +372,8 @@ export abstract class MeasuredCurve implements Curve {
   /**
    * A polyline that is nowhere farther from the curve than `tolerance`: all coordinates in turn; a closed one does not repeat its start.
    * A tolerance below 1e-9 of the curve's extent counts as that.
+   *
+   * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0; E_LIMIT where it would take more than 4,000,000 points.
    */
   flatten(tolerance: number): Float64Array {
     const op = "flatten";
@@ -338,6 +385,8 @@ export abstract class MeasuredCurve implements Curve {
   /**
    * Cubic Béziers within `tolerance`, eight numbers each (twelve in space), as few as it takes; `maxError` is a proved bound of the distance.
    * A tolerance below 1e-9 of the curve's extent counts as that.
+   *
+   * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0; E_LIMIT where it would take more than 4,000,000 points.
    */
   toCubics(tolerance: number): { path: Float64Array; maxError: number } {
     const op = "toCubics";
@@ -347,7 +396,17 @@ export abstract class MeasuredCurve implements Curve {
     return { path, maxError: data.door.result(0) };
   }
 
-  /** The curve as SVG path data: lines and, by default, arcs as they are, all else as cubics; `maxError` is the distance that results. */
+  /**
+   * The curve as SVG path data: lines and, by default, arcs as they are, all else as cubics; `maxError` is the distance that results.
+   *
+   * @throws {ExplineError} E_DEGENERATE for a curve in space; E_RANGE of a `tolerance` that is not above 0, of `decimals` outside 0 to 17, and of a
+   *   curve whose path would have a Bézier point beyond ±1e9.
+   * @example
+   * ```js
+   * const circle = HermiteCurve.ellipse({ center: [10, 10], radii: [8, 8], count: 4 });
+   * console.log(circle.toPathD().d); // → M18 10A8 8 0 0 1 2 10 8 8 0 0 1 18 10Z
+   * ```
+   */
   toPathD(options?: PathOptions): { d: string; maxError: number } {
     const op = "toPathD";
     const curve = dataOf(this, op);
@@ -377,6 +436,8 @@ export abstract class MeasuredCurve implements Curve {
    * The one ellipse, or the arc of one, that all segments are arcs of, each within `tolerance` (default 1e-9 of its size); undefined where they are not.
    * Only trigonometric segments can be: no cubic is an arc, however near one it runs, and of interpolating and B-spline curves those whose
    * roots are 0, at most twice, and ±iω.
+   *
+   * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0.
    */
   asEllipse(tolerance?: number): Ellipse | undefined {
     const op = "asEllipse";

@@ -48,9 +48,9 @@ export interface HermiteCurveJSON {
 
 /** What a {@link HermiteCurve} is made from. */
 export interface HermiteCurveOptions {
-  /** Points on the curve, at least 2. */
+  /** Points on the curve, 2 to 1,000,000; coordinates within ±1e9. */
   points: PointsLike;
-  /** dr/dt leaving each point, per unit of the parameter. */
+  /** dr/dt leaving each point, per unit of the parameter; within ±8e9. */
   tangents: PointsLike;
   /** dr/dt arriving at each point, where it differs: corners, unequal handles. Default: `tangents`. */
   tangentsIn?: PointsLike | undefined;
@@ -71,7 +71,7 @@ export interface HermiteCurveOptions {
 export interface EllipseOptions {
   /** The centre. */
   center: readonly [number, number] | Float32Array | Float64Array;
-  /** The two half axes, positive. */
+  /** The two half axes, above 0 and at most 1e9. */
   radii: readonly [number, number] | Float32Array | Float64Array;
   /** Angle of the first axis, in radians. Default 0. */
   rotation?: number | undefined;
@@ -98,7 +98,16 @@ export class HermiteCurve extends MeasuredCurve {
     super(options instanceof CurveData ? options : checked(CURVE, options));
   }
 
-  /** An ellipse from `count` points, exact for every count from 2 up. */
+  /**
+   * An ellipse from `count` points, exact for every count from 2 up.
+   *
+   * @throws {ExplineError} E_TOO_FEW_POINTS for a `count` below 2, E_LIMIT above 1,000,000; E_RANGE of `radii` that are not above 0.
+   * @example
+   * ```js
+   * const circle = HermiteCurve.ellipse({ center: [120, 120], radii: [80, 80], count: 2 });
+   * console.log((circle.area() / (Math.PI * 80 * 80)).toFixed(14), circle.domain); // → 1.00000000000000 [ 0, 2 ]
+   * ```
+   */
   static ellipse(options: EllipseOptions & { count: number }): HermiteCurve {
     const op = `${CURVE}.ellipse`;
     const { center, radii, rotation, count } = checkOptions(op, options, ["center", "radii", "rotation", "count"]);
@@ -108,7 +117,11 @@ export class HermiteCurve extends MeasuredCurve {
     return derived(call(op, (kernel) => kernel.ellipse(x, y, rx, ry, angle, n)));
   }
 
-  /** An open arc of an ellipse: from angle `start` over `sweep`, in radians from the first axis; negative runs backwards. */
+  /**
+   * An open arc of an ellipse: from angle `start` over `sweep`, in radians from the first axis; negative runs backwards.
+   *
+   * @throws {ExplineError} E_DEGENERATE of a `sweep` of 0, E_RANGE beyond ±2π.
+   */
   static arc(options: EllipseOptions & { start: number; sweep: number }): HermiteCurve {
     const op = `${CURVE}.arc`;
     const names = ["center", "radii", "rotation", "start", "sweep"] as const;
@@ -124,6 +137,13 @@ export class HermiteCurve extends MeasuredCurve {
    *
    * `closed` defaults to true, `space` to "trigonometric", `omega` to that of the constructor: points that lie evenly on an
    * ellipse then give the ellipse.
+   *
+   * @throws {ExplineError} E_TOO_FEW_POINTS below two points, E_LIMIT above 1,000,000; E_RANGE of `omega` that the space does not have.
+   * @example
+   * ```js
+   * const wave = HermiteCurve.through([[0, 0], [10, 8], [20, 0], [30, -8]], { closed: false });
+   * console.log(wave.evaluate(1), wave.domain); // → Float64Array(2) [ 10, 8 ] [ 0, 3 ]
+   * ```
    */
   static through(
     points: PointsLike,
@@ -191,7 +211,11 @@ export class HermiteCurve extends MeasuredCurve {
     data.touch();
   }
 
-  /** Moves point i; its tangents stay. */
+  /**
+   * Moves point i, counted from 0; its tangents stay.
+   *
+   * @throws {ExplineError} E_RANGE of an `i` that is no point's, and of coordinates beyond ±1e9.
+   */
   setPoint(i: number, x: number, y: number): void {
     const op = "setPoint";
     const data = dataOf(this, op);
@@ -201,7 +225,12 @@ export class HermiteCurve extends MeasuredCurve {
     data.touch();
   }
 
-  /** Sets dr/dt at point i, on one side or, by default, on both. */
+  /**
+   * Sets dr/dt at point i, per unit of the parameter, on one side or, by default, on both. A cubic's handle is a third of it, times the length of the
+   * segment.
+   *
+   * @throws {ExplineError} E_RANGE of an `i` that is no point's, of numbers beyond ±8e9, and of any other `side`.
+   */
   setTangent(i: number, dx: number, dy: number, side: "in" | "out" | "both" = "both"): void {
     const op = "setTangent";
     const data = dataOf(this, op);
@@ -214,7 +243,11 @@ export class HermiteCurve extends MeasuredCurve {
     data.touch();
   }
 
-  /** The same curve with `arity` segments, by default 2, in place of each; the parameter stays, the end of the domain to a rounding. */
+  /**
+   * The same curve with `arity` segments, by default 2, in place of each; the parameter stays, the end of the domain to a rounding.
+   *
+   * @throws {ExplineError} E_RANGE of an `arity` below 1, E_LIMIT where there would be more than 4,000,000 points.
+   */
   refine(arity = 2): HermiteCurve {
     const op = "refine";
     const data = dataOf(this, op);
@@ -225,6 +258,8 @@ export class HermiteCurve extends MeasuredCurve {
   /**
    * The same curve with one more point, at parameter t: in segment k it becomes point k + 1. Every place keeps its parameter. Where a point
    * is already, none is added.
+   *
+   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve.
    */
   insert(t: number): HermiteCurve {
     const op = "insert";
@@ -235,7 +270,16 @@ export class HermiteCurve extends MeasuredCurve {
 
   /**
    * The curve without point i: its neighbours' tangents keep their directions and get lengths with which the shape changes nearly as little as it
-   * can. `maxError` is by how much it changed, measured at 97 places of each segment and on from there to where it is largest.
+   * can. `maxError` is by how much it changed, measured at 97 places of each segment and on from there to where it is largest. An end of an open
+   * curve goes with its segment.
+   *
+   * @throws {ExplineError} E_RANGE of an `i` that is no point's; E_TOO_FEW_POINTS where only two points are left.
+   * @example
+   * ```js
+   * const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [80, 80], count: 4 });
+   * const { curve, maxError } = circle.insert(0.3).remove(1);
+   * console.log(curve.points.length / 2, maxError < 1e-12); // → 4 true
+   * ```
    */
   remove(i: number): { curve: HermiteCurve; maxError: number } {
     const op = "remove";
@@ -248,6 +292,8 @@ export class HermiteCurve extends MeasuredCurve {
   /**
    * The two parts of an open curve, cut at t, or the curve alone where t is one of its ends; a closed curve gives one, opened at t. Their
    * parameters begin at 0.
+   *
+   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve.
    */
   split(t: number): [HermiteCurve] | [HermiteCurve, HermiteCurve] {
     const op = "split";
@@ -259,6 +305,8 @@ export class HermiteCurve extends MeasuredCurve {
   /**
    * The part from parameter t0 to t1, open. On a closed curve it runs forward from t0 to the next place where t is t1, across the start if need
    * be: all the way round where both are one place, and never further.
+   *
+   * @throws {ExplineError} of an open curve E_RANGE of parameters outside its domain, E_DEGENERATE of a `t1` that is not beyond `t0`.
    */
   trim(t0: number, t1: number): HermiteCurve {
     const op = "trim";
@@ -274,7 +322,11 @@ export class HermiteCurve extends MeasuredCurve {
     return derived(dataOf(this, op).ask(op, (kernel, slot) => kernel.reverse(slot)));
   }
 
-  /** The image under x′ = a·x + c·y + e, y′ = b·x + d·y + f, the order of SVG's `matrix(a b c d e f)`; exact to rounding. */
+  /**
+   * The image under x′ = a·x + c·y + e, y′ = b·x + d·y + f, the order of SVG's `matrix(a b c d e f)`; exact to rounding.
+   *
+   * @throws {ExplineError} E_LENGTH of a `matrix` that has not 6 numbers; E_RANGE of one that takes a point beyond ±1e9.
+   */
   transform(matrix: MatrixLike): HermiteCurve {
     const op = "transform";
     const { points, tangents, tangentsIn, omega, lengths, space, closed, end } = dataOf(this, op);
@@ -289,6 +341,8 @@ export class HermiteCurve extends MeasuredCurve {
    * The polygon after `levels` steps of a subdivision scheme, x and y in turn.
    *
    * `arity` defaults to 2; `scheme` "hermite" (the default) has its points on the curve, "scalar" near it. At most 24 levels.
+   *
+   * @throws {ExplineError} E_RANGE of `levels` outside 0 to 24, E_LIMIT where there would be more than 4,000,000 points.
    */
   subdivide(
     levels: number,

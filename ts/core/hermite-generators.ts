@@ -34,6 +34,8 @@ export class HermiteGenerators {
   /**
    * The generators for `omega` radians per unit: below 2π − 1e-6 in the trigonometric space, which is the default, at most 1e4
    * in the others; 0 is the cubic case.
+   *
+   * @throws {ExplineError} E_RANGE of any other `omega`.
    */
   constructor(omega: number, space: Space = "trigonometric") {
     this.#omega = finite(GENERATORS, "omega", omega);
@@ -72,6 +74,8 @@ export class HermiteGenerators {
   /**
    * The refinement masks H[n], n = −(arity − 1) … arity − 1, from the grid of step arity^−level to the next: four numbers each, row
    * by row, acting on columns (value, derivative).
+   *
+   * @throws {ExplineError} E_RANGE of an `arity` below 2, and of a `level` outside 0 to 24.
    */
   mask(arity: number, level: number): Float64Array {
     const m = integer("mask", "arity", arity, 2, MAX_EVALUATIONS);

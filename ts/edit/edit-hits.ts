@@ -61,6 +61,8 @@ const CURVE_REACH = 0.6;
  * else the nearest curve within `curveReach`; or undefined. Handles of no length are hidden under their point and never found.
  * Costs a comparison for every curve; for those whose box is within reach also one for every point, and a `nearest`. The boxes of a curve
  * are made when it is first looked at, and anew when it has been changed.
+ *
+ * @throws {ExplineError} E_TYPE for what is no curve of the plane; E_RANGE of a `reach` below 0.
  */
 export function hitTest(curves: readonly Curve[], x: number, y: number, options: HitOptions): Hit | undefined {
   const op = "hitTest";

@@ -26,12 +26,12 @@ export interface FitProgress {
  * or fewer than 64 that noise would have moved by a seventh of a closed drawing: without any strength the curve goes through them.
  */
 export interface SparseFitStrength {
-  /** The λ of the papers, in the unit of the data: one for each degree, so that a pair of them, as is the default, takes a pair. */
+  /** The λ of the papers, in the unit of the data, 0 to 1e12: one for each degree, so that a pair of them, as is the default, takes a pair. */
   lambda?: number | readonly [number, number] | undefined;
   /** Instead of lambda: 0 … 1, the same meaning for any size of picture and any number of points. */
   smoothing?: number | undefined;
   /**
-   * Instead of lambda: the fewest knots whose curve is nowhere farther than this from a point. The curve keeps to the way of the points, too: as a rule
+   * Instead of lambda, 0 to 1e9: the fewest knots whose curve is nowhere farther than this from a point, in their unit. The curve keeps to the way of the points, too: as a rule
    * it is no farther from it than this and half of their distance from one another. To make a curve simpler, fit its `sampleByLength`: the vertices
    * that `flatten` gives lie far apart where it is nearly straight. Below the noise it is a polyline with the fewest vertices, rounded off where
    * `corners` allows none.
@@ -60,7 +60,7 @@ export interface SparseFitOptions extends SparseFitStrength {
    * is written as cubics, see `deviation` of the result.
    */
   degree?: number | readonly [number, number] | undefined;
-  /** Of a pair of degrees with `smoothing`: 0 prefers straight pieces, 1 smooth ones. Default 0.5; ignored otherwise. */
+  /** Of a pair of degrees with `smoothing`, 0 to 1: 0 prefers straight pieces, 1 smooth ones. Default 0.5; ignored otherwise. */
   mix?: number | undefined;
   /**
    * Places where knots may begin, N, with `lambda` or `smoothing`: 1 to 65,536. Default: the number of points, at most 5000 for degree 1 and 2000 above.
@@ -83,7 +83,7 @@ export interface SparseFitOptions extends SparseFitStrength {
   corners?: boolean | number | undefined;
   /** Whether points far off the curve count for little: they are named in `outliers`. Default false. */
   robust?: boolean | undefined;
-  /** Standard deviation of the noise, in the unit of the points. Default: estimated from them. */
+  /** Standard deviation of the noise, in the unit of the points, 0 to 1e9. Default: estimated from them. */
   noise?: number | undefined;
   /**
    * What is made of the optimum, with `lambda` or `smoothing`: "none" leaves it as it is, on its grid; "gridless" joins neighbouring knots and moves them between the places
@@ -105,7 +105,7 @@ export interface SparseFitOptions extends SparseFitStrength {
    * by default as many as it takes. What was found by then is given, with status "max_iterations".
    */
   maxIterations?: number | undefined;
-  /** Milliseconds after which the best that was found so far is given, with status "deadline". Default: none. */
+  /** Milliseconds, 0 or more, after which the best that was found so far is given, with status "deadline". Default: none. */
   deadline?: number | undefined;
   /** Ends the work: E_CANCELLED. A synchronous fit looks at it once, before it begins. */
   signal?: Signal | undefined;

@@ -14,7 +14,7 @@ export interface BSplineCurveOptions {
   closed?: boolean | undefined;
   /** Roots per unit of the parameter. */
   roots: readonly Root[];
-  /** From one control point to the next, in units of the parameter. Default 1. */
+  /** From one control point to the next, in units of the parameter, 1e-12 to 1e9. Default 1. */
   step?: number | undefined;
   /** The parameter of control point 0. Default 0. */
   offset?: number | undefined;
@@ -75,7 +75,11 @@ export class BSplineCurve extends SplineCurve {
     return splineOf(this, "offset").offset;
   }
 
-  /** The same curve with m times the control points, by default twice, m to 1024; same `domain`. */
+  /**
+   * The same curve with m times the control points, by default twice, m from 1 to 1024; same `domain`.
+   *
+   * @throws {ExplineError} E_RANGE of any other m, E_LIMIT where there would be more than 4,000,000 points.
+   */
   refine(m = 2): BSplineCurve {
     const op = "refine";
     const data = splineOf(this, op);
@@ -86,6 +90,8 @@ export class BSplineCurve extends SplineCurve {
   /**
    * The curve on the grid that is coarser by m, by default 2, whose refinement has the control points nearest to these, and the largest distance
    * between the two, parameter by parameter, to about 3e-3 of itself: 0 to rounding where nothing was changed since `refine(m)`.
+   *
+   * @throws {ExplineError} E_DEGENERATE of an m that does not divide the number of cells, E_RANGE of one outside 1 to 1024.
    */
   reduce(m = 2): { curve: BSplineCurve; maxError: number } {
     const op = "reduce";

@@ -104,7 +104,7 @@ export class ExponentialBSpline extends Exponential {
    * @param roots - closed under conjugation, 1 to 16 of them, real parts up to ±20, imaginary parts up to ±10. Values and derivatives are
    *   right to 1e-15 of their largest for real parts up to 96 divided by the number of roots; a few larger ones among many others
    *   lose digits, and all of them in cases as 14 times 0 and ±20, which are refused.
-   * @throws {ExplineError} E_DEGENERATE naming the root whose conjugate is missing.
+   * @throws {ExplineError} E_DEGENERATE naming the root whose conjugate is missing; E_LIMIT for more than 16, E_RANGE for one that is too large.
    */
   constructor(roots: readonly Root[]) {
     const source = { roots: rootNumbers(B_SPLINE, roots), kind: Kind.Spline };

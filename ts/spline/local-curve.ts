@@ -82,12 +82,18 @@ export class LocalCurve extends SplineCurve {
   /**
    * The same curve with a patch of all control points of the grid 2^−levels that lie within `reach` of t in the parameter; `levels`, from 1
    * to 12, defaults to 2, `reach` to 1.
+   *
+   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve, of `levels`, and of a `reach` outside 0 to 1e6.
    */
   refineAt(t: number, options?: { levels?: number | undefined; reach?: number | undefined }): LocalCurve {
     return refinedAt(splineOf(this, "refineAt"), t, options);
   }
 
-  /** The control points of patch k where the refined curve has them, coarser patches included: all coordinates in turn. */
+  /**
+   * The control points of patch k where the refined curve has them, coarser patches included: all coordinates in turn.
+   *
+   * @throws {ExplineError} E_RANGE of a `k` that is no patch's.
+   */
   patchPoints(k: number): Float64Array {
     const op = "patchPoints";
     const data = splineOf(this, op);
@@ -95,7 +101,11 @@ export class LocalCurve extends SplineCurve {
     return copy(data.ask(op, (kernel, slot) => kernel.patch_points(slot, which)));
   }
 
-  /** Moves control point i of patch k; in space `z` goes with x and y. */
+  /**
+   * Moves control point i of patch k, both counted from 0; in space `z` goes with x and y.
+   *
+   * @throws {ExplineError} E_RANGE of an `i` or `k` that there is not, and of coordinates beyond ±1e9.
+   */
   setPatchPoint(k: number, i: number, x: number, y: number, z?: number): void {
     const op = "setPatchPoint";
     const data = splineOf(this, op);
@@ -107,7 +117,11 @@ export class LocalCurve extends SplineCurve {
     data.touch();
   }
 
-  /** The curve without patch k and its detail. */
+  /**
+   * The curve without patch k and its detail.
+   *
+   * @throws {ExplineError} E_RANGE of a `k` that is no patch's.
+   */
   withoutPatch(k: number): LocalCurve {
     const op = "withoutPatch";
     const data = splineOf(this, op);

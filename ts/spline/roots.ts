@@ -14,7 +14,7 @@ export function ellipseRoots(op: string, count: unknown): Root[] {
 
 /** Lists of roots by what they keep exact, for {@link Interpolator}, `InterpolatingCurve` and their like. */
 export const roots = {
-  /** Polynomials up to a degree: 0, degree + 1 times. 3 gives cubics. */
+  /** Polynomials up to a degree of 0 to 15: 0, degree + 1 times. 3 gives cubics. */
   polynomials(degree: number): Root[] {
     const n = integer("polynomials", "degree", degree, 0, MAX_ROOTS - 1);
     return listed("polynomials", (kernel) => kernel.roots_keeping(0, n, 0, 0));
@@ -25,14 +25,14 @@ export const roots = {
     return ellipseRoots("ellipse", count);
   },
 
-  /** Closed curves of `count` points whose coordinates are trigonometric polynomials up to order k. */
+  /** Closed curves of `count` points, at least 2k + 1, whose coordinates are trigonometric polynomials up to order k, 0 to 7. */
   harmonics(count: number, k: number): Root[] {
     const n = integer("harmonics", "count", count, 0, 0xffffffff);
     const order = integer("harmonics", "k", k, 0, MAX_ROOTS);
     return listed("harmonics", (kernel) => kernel.roots_keeping(1, n, order, 0));
   },
 
-  /** Hyperbolas and catenaries that grow by e^rate from point to point. */
+  /** Hyperbolas and catenaries that grow by e^rate from point to point; rates up to ±20. */
   hyperbola(rate: number): Root[] {
     const growth = finite("hyperbola", "rate", rate);
     return listed("hyperbola", (kernel) => kernel.roots_keeping(2, 0, 0, growth));

@@ -91,7 +91,11 @@ export abstract class SplineCurve extends MeasuredCurve {
     data.touch();
   }
 
-  /** Moves point i; in space `z` goes with x and y. */
+  /**
+   * Moves point i, counted from 0; in space `z` goes with x and y.
+   *
+   * @throws {ExplineError} E_RANGE of an `i` that is no point's, and of coordinates beyond ±1e9.
+   */
   setPoint(i: number, x: number, y: number, z?: number): void {
     const op = "setPoint";
     const data = splineOf(this, op);
@@ -106,6 +110,8 @@ export abstract class SplineCurve extends MeasuredCurve {
    * proved bound. The parameter starts at 0 and stays: everywhere where it is exact; of cubics at the ends of the curve's own segments, between which
    * places lie at other parameters than before. Where a tangent would be beyond ±1e9 or a segment shorter than 1e-12 it runs slower,
    * by a power of 2.
+   *
+   * @throws {ExplineError} E_DEGENERATE for a curve in space; E_RANGE of a `tolerance` that is not above 0.
    */
   toHermite(tolerance?: number): { curve: HermiteCurve; maxError: number } {
     const op = "toHermite";

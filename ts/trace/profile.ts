@@ -11,7 +11,7 @@ export interface QuasiInterpolantOptions {
   degree: number;
   /** Knots that do not fall, the first and the last `degree` + 1 times. */
   knots: Float64Array | readonly number[];
-  /** How many of the nearest points a coefficient is the mean of. */
+  /** How many of the nearest points a coefficient is the mean of: 1 to as many as there are, one less for {@link looScore}. */
   neighbours: number;
 }
 
@@ -70,7 +70,8 @@ function cloud(op: string, points: unknown, options: unknown): readonly [number,
 /**
  * The coefficients of the weighted quasi-interpolant of points (x, y): each is the mean of the ordinates nearest to its knots' mean.
  *
- * @throws {ExplineError} E_DEGENERATE for knots that fall or whose ends are too few, E_RANGE for more neighbours than points.
+ * @throws {ExplineError} E_DEGENERATE for knots that fall or whose ends are too few, E_LENGTH for fewer knots than twice `degree` + 1, E_RANGE for more
+ *   neighbours than points.
  */
 export function quasiInterpolate(points: PointsLike, options: QuasiInterpolantOptions): Float64Array {
   const op = "quasiInterpolate";
@@ -78,7 +79,11 @@ export function quasiInterpolate(points: PointsLike, options: QuasiInterpolantOp
   return copy(call(op, (kernel) => kernel.quasi_interpolate(...given)));
 }
 
-/** Root of the mean square error of predicting each point from all the others: exact, without fitting anything twice. */
+/**
+ * Root of the mean square error of predicting each point from all the others, in the unit of y: exact, without fitting anything twice.
+ *
+ * @throws {ExplineError} as {@link quasiInterpolate} does, and E_RANGE where there are no more points than neighbours.
+ */
 export function looScore(points: PointsLike, options: QuasiInterpolantOptions): number {
   const op = "looScore";
   const given = cloud(op, points, options);

@@ -54,7 +54,7 @@ export interface TraceOptions {
    */
   tolerance?: number | undefined;
   /**
-   * A picture of a few flat colours: how many at most, 2 … 64, are looked for, or which they are, as "#rrggbb". Each becomes a layer, and layers lie
+   * A picture of a few flat colours: how many at most, 2 … 64, are looked for, or which they are, 1 to 64 as "#rrggbb" or "#rgb". Each becomes a layer, and layers lie
    * on one another without gaps. They are opaque: what is translucent, and the same all around, has the colour that it has on white.
    * Default: ink on paper, which `source`, `threshold` and `invert` are about: beside `colors` they are E_RANGE.
    */

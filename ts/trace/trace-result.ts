@@ -41,7 +41,7 @@ export interface TraceLayer {
 
 /** How {@link Trace.toSvg} writes. */
 export interface TraceSvgOptions {
-  /** Largest distance in pixels between the curves and what the text draws, with decimals enough for it. Default 0.02, and .007 for two decimals. */
+  /** Largest distance in pixels, above 0, between the curves and what the text draws, with decimals enough for it. Default 0.02, and .007 for two decimals. */
   tolerance?: number | undefined;
   /**
    * Digits behind the point, up to 17. Default: as many as the tolerance needs that is asked for, else 2. They cost half a unit of the last one in x
@@ -63,7 +63,11 @@ export interface Trace {
   contours: TracedContour[];
   /** The colours, the lowest layer first; none without `colors`. */
   layers: TraceLayer[];
-  /** The picture as an SVG document, with as few bytes as it can be said in. */
+  /**
+   * The picture as an SVG document, with as few bytes as it can be said in.
+   *
+   * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0, and of `decimals` outside 0 to 17.
+   */
   toSvg(options?: TraceSvgOptions): string;
   /** How long each stage took, and `total`. */
   milliseconds: Record<string, number>;
