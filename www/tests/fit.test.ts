@@ -8,6 +8,7 @@ import { toggleFitOverlay } from "../src/editor/fit/fit-actions.ts";
 import { chooseFitTool, clearFit, eraseAt, openFitSample, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../src/editor/fit/fit-edits.ts";
 import { mostDifferent, sameSubject, subjectOf } from "../src/editor/fit/fit-question.ts";
 import { createFitRunner, type FitRunner } from "../src/editor/fit/fit-runner.ts";
+import { readShareHash, shareHash } from "../src/io/link/share.ts";
 import { createFitClient, type FitClient } from "../src/kernel/fit/fit-client.ts";
 import type { FitAnswer, FitRequest, FitSubject } from "../src/kernel/fit/job.ts";
 import { shownKnots } from "../src/kernel/fit/knots.ts";
@@ -506,4 +507,14 @@ test("the parts of a curve are asked for when they are to be seen, and only wher
   puppet.answer({ kind: "fitted", subject: 2, id: 2, fits: [], ms: 1 });
   setModel(editor, "cubic");
   assert.deepEqual(parts(), [false, true, false]);
+});
+
+test("a link from an emptied Fit opens as empty, and one from a Fit that nobody has opened with its first sample", async () => {
+  const made = hand();
+  made.drag({ x: 100, y: 100 }, 200, 50);
+  setSmoothing(made.editor, 12);
+  clearFit(made.editor);
+  const emptied = made.editor.getState();
+  assert.deepEqual((await readShareHash(await shareHash(emptied))).fit, fitOf(made));
+  assert.deepEqual((await readShareHash(await shareHash({ ...emptied, fit: emptyFit }))).fit, emptyFit);
 });

@@ -14,7 +14,9 @@ function worthSharing(state: DemoState): object {
   const { fit, trace, surface, ...rest } = state;
   // The points of a sample are made anew from its name, its noise and its seed.
   const short = fit.sample === undefined ? fit : { ...fit, data: [], starts: [] };
-  return { ...rest, ...(fit.data.length > 0 ? { fit: short } : {}), ...(isEmptyTrace(trace) ? {} : { trace }), ...(surface.net.length > 0 ? { surface } : {}) };
+  // One that was emptied is not the sample that Fit begins with.
+  const isOwn = fit.data.length > 0 || fit.sample === undefined;
+  return { ...rest, ...(isOwn ? { fit: short } : {}), ...(isEmptyTrace(trace) ? {} : { trace }), ...(surface.net.length > 0 ? { surface } : {}) };
 }
 
 /** @throws Problem `share-long` when the link would not fit everywhere. */
