@@ -354,3 +354,36 @@ test("who reads the panel's labels one by one, or searches the page for one, doe
   });
   assert.equal(aside, 0, "what is put away beside the page stays there");
 });
+
+test("the focus of what a key takes away, hides or switches off goes on beside it or to the stage, never to nowhere", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  const focused = (): Promise<string> => demo.page.evaluate(() => {
+    const { activeElement } = document;
+    return activeElement instanceof HTMLElement && activeElement !== document.body ? activeElement.closest("[data-testid]")?.getAttribute("data-testid") ?? "?" : "nowhere";
+  });
+  // Another mode brings other controls and other numbers.
+  for (const [id, key] of [["level", "2"], ["fit-smoothing", "1"], ["m-points", "4"]] as const) {
+    await demo.byId(id).focus();
+    await demo.press(key);
+    assert.equal(await demo.until(focused, (now) => now !== "nowhere" && now !== id, `${key} in ${id}`), "stage");
+  }
+  await demo.press("1");
+  await demo.click("pt-0-2");
+  await demo.byId("nudge-up").focus();
+  await demo.press("Enter");
+  await demo.press("Escape");
+  assert.equal(await demo.until(focused, (now) => now !== "nowhere" && now !== "nudge-up", "no point, no nudging"), "stage");
+  await demo.byId("btn-undo").focus();
+  await demo.press("Enter");
+  assert.equal(await demo.byId("btn-undo").isDisabled(), true);
+  assert.equal(await demo.until(focused, (now) => now !== "nowhere" && now !== "btn-undo", "nothing is left to undo"), "btn-redo");
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("who looks at something else while a control goes is left where they are", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.byId("level").focus();
+  await demo.byId("tab-fit").click();
+  await demo.idle();
+  assert.equal(await demo.page.evaluate(() => document.activeElement?.getAttribute("data-testid")), "tab-fit");
+});

@@ -10,6 +10,7 @@ import { loadModes, type ModeParts } from "./modes.ts";
 import { pageIo } from "./io/page-io.ts";
 import { startEngine } from "./kernel/engine.ts";
 import { mountPanels } from "./panels/mount.ts";
+import { keepFocus } from "./panels/page/focus.ts";
 import { createProxies } from "./render/proxies.ts";
 import { createStage } from "./render/stage.ts";
 import { mountHint, mountLabel, mountLive, mountZoomBox } from "./render/stage-parts.ts";
@@ -63,6 +64,7 @@ function mount(): ExplineDemo {
 
   const regions = { header: region("header"), rail: region("rail"), panel: region("panel"), status: region("status"), stage: region("stage") };
   const panels = mountPanels({ editor, regions, io: pageIo, frame, until });
+  keepFocus(frame, surface, until);
   const parts: ContractParts = {};
 
   async function boot(): Promise<void> {

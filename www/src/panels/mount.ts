@@ -25,7 +25,7 @@ export interface PanelsOptions {
   readonly io: PageIo;
   readonly frame: Frame;
   /** Ends every listener of the panels. */
-  readonly until?: AbortSignal;
+  readonly until: AbortSignal;
 }
 
 export interface Panels {
@@ -39,11 +39,10 @@ export interface Panels {
 
 /** Everything around the stage. */
 export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions): Panels {
-  const signal = until ?? new AbortController().signal;
-  const shell: Shell = { editor, regions, io, until: signal, toasts: mountToasts(regions.stage, editor), frame, samples: new Map() };
+  const shell: Shell = { editor, regions, io, until, toasts: mountToasts(regions.stage, editor), frame, samples: new Map() };
   // Routes rewrite the address; what it was when the page was opened is what counts.
   const address = window.location.hash;
-  const theme = mountTheme(signal);
+  const theme = mountTheme(until);
   registerFileActions(shell);
   mountHeader(shell, theme);
   mountRail(shell);
@@ -52,14 +51,14 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   mountEmptyCurve(shell);
   const wait = mountBoot(shell);
   mountContextMenu(shell);
-  retryStyles(editor, signal);
+  retryStyles(editor, until);
   // What is loaded when it is first asked for may be out of reach by then.
-  window.addEventListener("vite:preloadError", ({ payload }: Event & { payload?: unknown }) => sayMissing(editor, "This part of the page", payload), { signal });
+  window.addEventListener("vite:preloadError", ({ payload }: Event & { payload?: unknown }) => sayMissing(editor, "This part of the page", payload), { signal: until });
   io.listenForIncoming({
     files: (files) => whenLoaded(editor, import("./files/file-work.ts"), ({ receiveFiles }) => receiveFiles(shell, files)),
     text: (text) => whenLoaded(editor, import("./files/file-work.ts"), ({ receiveText }) => receiveText(shell, text)),
     dragging: (over) => regions.stage.toggleAttribute("data-drop", over),
-  }, signal);
+  }, until);
   return {
     shell,
     wait,

@@ -1,10 +1,8 @@
-import { modes, type Mode } from "../../document/document.ts";
+import { modes } from "../../document/document.ts";
 import { h, setAttribute, type Child } from "../controls/dom.ts";
 import { icon, type IconName } from "../controls/icons.ts";
 import { withKey, type Shell } from "../shell.ts";
 import type { Theme, ThemeControl } from "./theme.ts";
-
-const modeNames: Readonly<Record<Mode, string>> = { curve: "Curve", fit: "Fit", trace: "Trace", surface: "Surface" };
 
 /** Brand, the four modes, history and file actions. On a phone the modes move to the foot and the file actions into a menu. */
 export function mountHeader(shell: Shell, theme: ThemeControl): void {
@@ -59,16 +57,17 @@ function brandMark(): SVGSVGElement {
 
 function mountTabs(shell: Shell): HTMLElement {
   const { editor } = shell;
-  const tabs = modes.map((mode) =>
-    h("button", {
+  const tabs = modes.map((mode) => {
+    const label = editor.actions.get(`mode-${mode}`)?.label ?? mode;
+    return h("button", {
       class: "tab",
       role: "tab",
       type: "button",
       testid: `tab-${mode}`,
-      title: withKey(editor, modeNames[mode], `mode-${mode}`),
+      title: withKey(editor, label, `mode-${mode}`),
       click: () => editor.actions.run(`mode-${mode}`),
-    }, modeNames[mode]),
-  );
+    }, label);
+  });
   const list = h("div", { class: "tabs", role: "tablist", "aria-label": "Mode" }, ...tabs);
   list.addEventListener("keydown", (event) => {
     const at = tabs.findIndex((tab) => tab === document.activeElement);
@@ -91,7 +90,7 @@ function mountTabs(shell: Shell): HTMLElement {
 
 function historyButton(shell: Shell, which: "undo" | "redo"): HTMLButtonElement {
   const { editor } = shell;
-  const label = which === "undo" ? "Undo" : "Redo";
+  const label = editor.actions.get(which)?.label ?? which;
   const element = iconButton(which, label, `btn-${which}`, withKey(editor, label, which), () => editor.actions.run(which));
   editor.state.subscribe((state) => {
     const can = which === "undo" ? state.canUndo : state.canRedo;

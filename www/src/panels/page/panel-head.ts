@@ -4,8 +4,6 @@ import type { Editor, EditorState } from "../../editor/editor.ts";
 import { h, setText } from "../controls/dom.ts";
 import type { ModePanel } from "../mode/panel-parts.ts";
 
-const titles = { curve: "Curve", fit: "Fit", trace: "Trace", surface: "Surface" } as const;
-
 export interface PanelHead {
   readonly element: HTMLElement;
   /** `own` is the mode's panel, if it has come. */
@@ -26,7 +24,7 @@ export function panelHead(editor: Editor): PanelHead {
   return {
     element: h("div", { class: "panel-head" }, title, sample, clear),
     update(state, own) {
-      setText(title, titles[state.mode]);
+      setText(title, editor.actions.get(`mode-${state.mode}`)?.label ?? "");
       setText(sample, own?.note(state) ?? "");
       clear.hidden = state.mode === "surface";
       clear.disabled = isEmpty(state);
