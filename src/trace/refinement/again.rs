@@ -1,9 +1,7 @@
 //! Outlines that explain little of the picture begin again, along their contours: corners that were seen where there are none, or were not seen
 //! between strokes of a pixel, hold an outline where no step leads away from.
 
-use super::coverage::pieces;
 use super::grain::grain;
-use super::left::Left;
 use super::{Begin, FineOutline, Other, Refinement};
 use crate::error::Result;
 use crate::numerics::plane::larger;
@@ -42,9 +40,7 @@ impl Refinement {
             let Some(mut first) = begin(self.place.at, Other::Along)? else { return Ok(false) };
             first.cut_to(self.field.extent);
             // The edge of a pixel holds an outline that crosses none where the picture says anything: its contour does.
-            let mut left = shape.left(&self.field);
-            left.join(&Left::along(&first, &self.field));
-            if left.rms() <= self.poor {
+            if shape.left_with(&first, &self.field).rms() <= self.poor {
                 return Ok(true);
             }
             let before = shape.outline.clone();
@@ -66,12 +62,10 @@ impl Refinement {
     fn decide(&mut self, Again { before, first, fine }: Again) {
         let (at, field, refiner) = (self.place.at, &mut self.field, &mut self.refiner);
         let shape = &mut self.shapes[at];
-        let mut both = shape.parts.clone();
-        both.extend(pieces(&before, before.len(), field));
-        let second = Left::of(&both, field);
+        let second = shape.left_with(&before, field);
         let after = shape.outline.clone();
         refiner.replace(field, shape, before);
-        if second.square < BETTER * Left::of(&both, field).square {
+        if second.square < BETTER * shape.left_with(&after, field).square {
             refiner.replace(field, shape, after);
             self.first[at] = first;
             if let Some(fine) = fine {

@@ -1,6 +1,6 @@
 //! What the outlines leave of the picture.
 
-use super::coverage::{Part, pieces};
+use super::coverage::Part;
 use super::field::{BEYOND, Field};
 use crate::numerics::plane::larger;
 use crate::trace::outline::Outline;
@@ -22,13 +22,6 @@ impl Left {
     pub(super) fn of(lists: &[Vec<Part>], field: &Field) -> Self {
         let mut left = Self::default();
         lists.iter().for_each(|parts| left.add(parts, field));
-        left
-    }
-
-    /// Where an outline would be.
-    pub(super) fn along(outline: &Outline, field: &Field) -> Self {
-        let mut left = Self::default();
-        pieces(outline, outline.len(), field).for_each(|parts| left.add(&parts, field));
         left
     }
 

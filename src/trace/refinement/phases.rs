@@ -103,7 +103,7 @@ impl Refinement {
             let dense = rough.is_dense(&shape.outline);
             if rough.is_small() {
                 // A small letter passes by what it lacks.
-                rough.join(&Left::along(&outline, &self.field));
+                rough = shape.left_with(&outline, &self.field);
             }
             let (times, enough) = match (flat, dense) {
                 (true, true) => (ROUGHER[2], GRAINS * self.picture.grain),

@@ -1,6 +1,6 @@
 //! Outlines moved until the coverage that they have is the coverage that the picture shows.
 
-use super::coverage::{Part, parts};
+use super::coverage::{Part, parts, pieces};
 use super::equations::Equations;
 use super::field::Field;
 use super::left::Left;
@@ -79,6 +79,14 @@ impl Shape {
 
     pub(super) fn left(&self, field: &Field) -> Left {
         Left::of(&self.parts, field)
+    }
+
+    /// And in the pixels that another outline would cross.
+    #[inline(never)]
+    pub(super) fn left_with(&self, other: &Outline, field: &Field) -> Left {
+        let mut left = self.left(field);
+        pieces(other, other.len(), field).for_each(|parts| left.add(&parts, field));
+        left
     }
 }
 

@@ -117,17 +117,11 @@ impl Trial<'_> {
     fn merge(&mut self, i: usize, piece: Piece) -> Result<bool> {
         let before = self.shape.outline.before(i);
         let forced = stunted(&self.shape.outline, before) || stunted(&self.shape.outline, i);
-        let mut left = Left::default();
-        left.add(&self.shape.parts[before], self.field);
-        left.add(&self.shape.parts[i], self.field);
+        let left = self.beside(i);
         let stretch = Stretch { first: before, count: 2, pieces: vec![piece], between: Vec::new() };
         let mut window = Window::open(self.refiner, self.field, self.shape, stretch);
-        let good = self.settles(&mut window.shape, &left, forced)? && {
-            let mut gone = Left::default();
-            gone.add(&self.shape.parts[before], self.field);
-            gone.add(&self.shape.parts[i], self.field);
-            self.limits.allow(&gone, &left, PASSED)
-        };
+        let good = self.settles(&mut window.shape, &left, forced)?
+            && self.limits.allow(&self.beside(i), &left, PASSED);
         if good {
             for node in 0..2 {
                 // What is longer now may grow further.
@@ -138,6 +132,15 @@ impl Trial<'_> {
             window.close(self.refiner, self.field);
         }
         Ok(good)
+    }
+
+    /// What is left where the pieces at node i are, or were.
+    fn beside(&self, i: usize) -> Left {
+        let mut left = Left::default();
+        for piece in [self.shape.outline.before(i), i] {
+            left.add(&self.shape.parts[piece], self.field);
+        }
+        left
     }
 
     /// Refines the merged piece, the first of some; whether it explains the picture as well as the two did.
