@@ -11,19 +11,6 @@ import { initialState } from "./initial-state.ts";
 import { resized } from "./pointer/camera.ts";
 import { createSignal } from "./signal.ts";
 
-/** The command's result on a moment, or null when nothing changes or the engine refuses it; `refuse` hears why. */
-function applied(command: Command, from: Moment, refuse: (why: string) => void): Moment | null {
-  const wanted = command.apply(from.curve);
-  if (wanted === from.curve) return null;
-  const { curve, problem } = checked(wanted, from.curve);
-  if (problem !== null) {
-    refuse(`${command.name} was refused: ${problem.message}`);
-    return null;
-  }
-  const select = command.select ?? from.selection;
-  return { curve, selection: surviving(curve, typeof select === "function" ? select(curve) : select) };
-}
-
 /** `now` is the clock for joining runs of small edits, in milliseconds. */
 export function createEditor(now: () => number): Editor {
   const state = createSignal<EditorState>(initialState);
@@ -34,9 +21,18 @@ export function createEditor(now: () => number): Editor {
   const views = new Map<Mode, View>();
   const modes: Editor["modes"] = new Map();
 
-  /** A step of a drag that goes too far is dropped silently: the drag is held at the last good place. */
-  function refuse(text: string): void {
-    if (!curveEdits.inGesture) notices.set({ kind: "error", id: "number", text });
+  /** The command's result on a moment, or null when the engine refuses it or nothing changes. */
+  function applied(command: Command, from: Moment): Moment | null {
+    const wanted = command.apply(from.curve);
+    if (wanted === from.curve) return null;
+    const { curve, problem } = checked(wanted, from.curve);
+    if (problem !== null) {
+      // A step of a drag that goes too far is dropped silently: the drag is held at the last good place.
+      if (!curveEdits.inGesture) notices.set({ kind: "error", id: "number", text: `${command.name} was refused: ${problem.message}` });
+      return null;
+    }
+    const select = command.select ?? from.selection;
+    return { curve, selection: surviving(curve, typeof select === "function" ? select(curve) : select) };
   }
 
   function travel(way: "undo" | "redo", done: string): void {
@@ -65,11 +61,11 @@ export function createEditor(now: () => number): Editor {
       return curveEdits.origin.curve;
     },
     dispatch(command) {
-      curveEdits.dispatch(command.name, (before) => applied(command, before, refuse) ?? before, command.run);
+      curveEdits.dispatch(command.name, (before) => applied(command, before) ?? before, command.run);
     },
     begin: curveEdits.begin,
     preview(command, also = {}) {
-      if (curveEdits.inGesture) return curveEdits.preview((start) => applied(command, start, refuse) ?? momentOf(state.value), also);
+      if (curveEdits.inGesture) return curveEdits.preview((start) => applied(command, start) ?? momentOf(state.value), also);
       editor.patch(also);
       editor.dispatch(command);
     },

@@ -42,48 +42,21 @@ interface Asked {
   readonly what: FitSubject;
 }
 
-/** What the worker was told to fit, by its number: an answer about another one comes too late. */
-interface Subjects {
-  /** The number of what was told last. */
-  readonly current: number;
-  /** Says what is fitted, if it was something else before. */
-  tell(what: FitSubject): void;
-  /** The next worker has to be told. */
-  forget(): void;
-}
-
-function createSubjects(post: (request: FitRequest) => void): Subjects {
-  let current = 0;
-  let known: FitSubject | null = null;
-  return {
-    get current() {
-      return current;
-    },
-    tell(what) {
-      if (known === what) return;
-      known = what;
-      current += 1;
-      post({ kind: "subject", subject: current, what });
-    },
-    forget() {
-      known = null;
-    },
-  };
-}
-
 export function createFitClient(start: () => Worker, handlers: FitHandlers): FitClient {
+  let subject = 0;
+  let known: FitSubject | null = null;
   let serial = 0;
   let running: Asked | null = null;
   let waiting: Asked | null = null;
   let retried = 0;
   const desk = createDesk<FitRequest, FitAnswer>(start, { receive, died: replace });
   const { post } = desk;
-  const subjects = createSubjects(post);
   const { idle, settle } = createWaiters(() => running === null && waiting === null);
 
+  /** The next worker has to be told what is fitted. */
   function dismiss(): void {
     desk.dismiss();
-    subjects.forget();
+    known = null;
   }
 
   /** A dead worker's request is tried once more in a new one. Where it only filled the chart, the fit that is shown stands. */
@@ -104,15 +77,23 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
     }
   }
 
+  /** Says what is fitted, if it was something else before. */
+  function tell(what: FitSubject): void {
+    if (known === what) return;
+    known = what;
+    subject += 1;
+    post({ kind: "subject", subject, what });
+  }
+
   function begin(asked: Asked): void {
     running = asked;
-    subjects.tell(asked.what);
-    post({ kind: "fit", subject: subjects.current, id: asked.id, strength: asked.strength, live: asked.live });
+    tell(asked.what);
+    post({ kind: "fit", subject, id: asked.id, strength: asked.strength, live: asked.live });
   }
 
   function receive(answer: FitAnswer): void {
     if (answer.kind === "chart") {
-      if (answer.subject === subjects.current && running === null) handlers.chart(answer);
+      if (answer.subject === subject && running === null) handlers.chart(answer);
       return;
     }
     if (running === null || answer.id !== running.id) return;
@@ -144,8 +125,8 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
     },
     chart(what, at) {
       if (running !== null) return;
-      subjects.tell(what);
-      post({ kind: "chart", subject: subjects.current, at });
+      tell(what);
+      post({ kind: "chart", subject, at });
     },
     cancel() {
       waiting = null;
