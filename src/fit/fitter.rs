@@ -9,6 +9,7 @@ use self::description::best_of;
 use self::finishing::Finishing;
 use super::convex::problem::{Component, Problem, interpolating_grid, uniform_grid};
 use super::convex::solution::Status;
+use super::corners::corners;
 use super::interior::settings::{GLIMPSE, Settings};
 use super::interior::solver::Solver;
 use super::knots::free_knots::Located;
@@ -247,11 +248,11 @@ impl Fitter {
     }
 
     #[inline(never)]
-    fn search(&mut self, aim: Aim, corners: bool) -> Result<()> {
+    fn search(&mut self, aim: Aim, cornered: bool) -> Result<()> {
         let degree = self.options.degrees.last().copied().unwrap_or(3);
         let sharpest = match aim {
             Aim::Squares(_) => 1,
-            _ if corners => degree,
+            _ if cornered => degree,
             _ => (degree - 1).max(1),
         };
         let plan = |smoothest: usize| Plan {
@@ -265,6 +266,14 @@ impl Fitter {
             free: false,
             timed: !self.options.parameters.is_empty(),
         };
+        if self.own.is_empty() && self.located_for == Some(Purpose::Clicks) {
+            let smooth = Plan { sharpest: degree - 1, ..plan(1) };
+            let corners = corners(&self.samples);
+            let search =
+                Sparsest::between_corners(self.located.copied()?, smooth, aim, self.level, &corners)?;
+            self.run = Run::Search(vec![search]);
+            return Ok(());
+        }
         let start = |located: &Located, smoothest| -> Result<Sparsest> {
             Ok(Sparsest::new(located.copied()?, plan(smoothest), aim, self.level))
         };
@@ -277,7 +286,7 @@ impl Fitter {
         let free = degree > 1 && matches!(aim, Aim::Noise(_));
         let smooth = Plan { free, ..plan(1) };
         let mut rivals = vec![Sparsest::new(self.located.copied()?, smooth, aim, self.level)];
-        if corners {
+        if cornered {
             let corners = Sparsest::from_corners(self.located.copied()?, plan(1), aim, self.level)?;
             let few = self.located.points.len() <= MOST_TWICE || aim.is_fine();
             let apart = matches!(aim, Aim::Tolerance(_)) && few;

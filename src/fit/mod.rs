@@ -27,6 +27,7 @@
 //! ```
 
 mod convex;
+mod corners;
 mod fitter;
 mod interior;
 mod knots;

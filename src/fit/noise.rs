@@ -189,7 +189,7 @@ fn levels_by(samples: &Samples, (weights, squares): (&[f64], f64)) -> [f64; 2] {
 
 /// Whether at half of the points the way turns sharply by the same angle: that is drawn, and no noise. Of many points the right angles of a
 /// staircase, left and right by turns, are a slope on a grid.
-fn turn_alike(samples: &Samples) -> bool {
+pub(super) fn turn_alike(samples: &Samples) -> bool {
     let steps = steps(samples);
     let count = steps.len() - usize::from(!samples.closed);
     let turn = |m: usize| {
@@ -269,6 +269,6 @@ pub(super) fn sober(samples: &Samples, noise: f64) -> (Vec<f64>, Vec<Point>) {
     (0..count).map(weigh).unzip()
 }
 
-fn cross(a: Vector, b: Vector) -> f64 {
+pub(super) fn cross(a: Vector, b: Vector) -> f64 {
     a.x * b.y - a.y * b.x
 }

@@ -4,7 +4,7 @@ use super::{Fitter, Run};
 use crate::error::{Error, Result};
 use crate::fit::knots::free_knots::Located;
 use crate::fit::knots::sparsest::Aim;
-use crate::fit::noise::{is_regular_at, is_steady, levels, sober};
+use crate::fit::noise::{is_regular_at, is_steady, levels, sober, turn_alike};
 use crate::fit::options::{Ask, Options};
 use crate::fit::outline::{Outline, between, filled};
 use crate::fit::parametrise::{Parametrisation, given, parametrise};
@@ -21,6 +21,8 @@ const LEAST_NOISE: f64 = 1e-4;
 const WIDEST: f64 = 3.0;
 /// The part of a tolerance by which points may be off that are drawn.
 const DRAWN: f64 = 0.25;
+/// So many points of an open way show their corners.
+const CLICKS: core::ops::Range<usize> = 7..16;
 
 /// What points are given parameters for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +35,8 @@ pub(super) enum Purpose {
     /// Few knots by distances: the index only where points are equally far apart, as every change of the speed asks for knots. Sides
     /// between corners are looked for where it is said how far points may be off.
     Search(Option<f64>),
+    /// The same for few points of an open way, which show their corners themselves.
+    Clicks,
 }
 
 impl Fitter {
@@ -93,7 +97,9 @@ impl Fitter {
                 let untold = self.is_untold();
                 // An open list that goes up and down is noisy rather than drawn so.
                 let drawn = untold || self.samples.closed;
-                self.locate(Purpose::Search(drawn.then_some(WIDEST * self.noise)), &ask)?;
+                let sides = Purpose::Search(drawn.then_some(WIDEST * self.noise));
+                let purpose = if self.is_clicked() { Purpose::Clicks } else { sides };
+                self.locate(purpose, &ask)?;
                 let noise = self.level.max(self.least_noise());
                 self.search(
                     if untold { Aim::Tolerance(noise) } else { Aim::Noise(noise) },
@@ -108,6 +114,19 @@ impl Fitter {
     /// Whether nothing tells about the noise: points are few, or drawn.
     fn is_untold(&self) -> bool {
         self.levels == Some([0.0; 2])
+    }
+
+    /// Whether points are so few, and so plain, that what each of them says about corners is looked at.
+    fn is_clicked(&self) -> bool {
+        let Options {
+            degrees, corners, noise, weights, parameters, parametrisation, robust, least_turn, ..
+        } = &self.options;
+        let plain =
+            *parametrisation == Parametrisation::Auto && !robust && noise.is_none() && *least_turn <= 0.0;
+        let few =
+            !self.samples.closed && CLICKS.contains(&self.samples.points.len()) && !turn_alike(&self.samples);
+        let curved = degrees.last().is_some_and(|degree| *degree > 1);
+        few && plain && curved && *corners && weights.is_empty() && parameters.is_empty()
     }
 
     /// What is less than a ten-thousandth of the drawing is not worth a knot: of its size without points that are far off all
@@ -166,6 +185,7 @@ impl Fitter {
         let off = match purpose {
             Purpose::Optimum if plain && weights.is_empty() && parameters.is_empty() => None,
             Purpose::Search(off) => off.filter(|_| *corners),
+            Purpose::Clicks => None,
             _ => return Ok(None),
         };
         let is_far = |weight: &f64| *weight < 1.0;

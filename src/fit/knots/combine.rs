@@ -86,6 +86,7 @@ pub(super) fn expressed(space: Space, on: &dyn Fn(f64, f64) -> (Polynomial, Poly
 }
 
 /// The polynomials of the sum on middle ± half, inside one piece of every part.
+#[inline(never)]
 pub(super) fn sum_on(parts: &[Spline], middle: f64, half: f64, end: f64) -> (Polynomial, Polynomial) {
     let (mut x, mut y) = ([0.0; HIGHEST + 1], [0.0; HIGHEST + 1]);
     for part in parts {

@@ -8,6 +8,7 @@ mod joints;
 mod last_knots;
 mod polishing;
 mod rounding;
+mod runs;
 mod spacing;
 mod straight;
 mod view;
@@ -273,6 +274,7 @@ impl Sparsest {
     }
 
     /// The best spline so far.
+    #[inline(never)]
     pub(in crate::fit) fn finish(mut self) -> Found {
         match self.found.take() {
             Some(found) => found,
@@ -288,6 +290,7 @@ impl Sparsest {
     }
 
     /// One round of the search.
+    #[inline(never)]
     pub(in crate::fit) fn step(&mut self) {
         self.effort.rounds += 1;
         let fits = if matches!(self.phase, Phase::Refine | Phase::Last(_)) { 30.0 } else { 2.0 };
