@@ -183,6 +183,59 @@ test("a ring that a browser draws around what is hardly darker than paper is two
   }
 });
 
+/** A mark with a line of small letters below it, in the page's own font. */
+async function captioned(demo: Demo): Promise<number[]> {
+  return demo.page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(640, 360);
+    const context = canvas.getContext("2d");
+    if (context === null) return [];
+    context.fillStyle = "white";
+    context.fillRect(0, 0, 640, 360);
+    context.fillStyle = "black";
+    context.fillRect(240, 40, 160, 160);
+    context.font = "10px sans-serif";
+    context.fillText("Acme Industries International, since 1928", 200, 280);
+    return [...new Uint8Array(await (await canvas.convertToBlob({ type: "image/png" })).arrayBuffer())];
+  });
+}
+
+test("letters that were too small to be kept are told of, and come back at a click or a key", async (t) => {
+  const demo = await open(t, "#/trace");
+  await bring(demo, "drop", "mark.png", "image/png", await captioned(demo));
+  await demo.page.waitForFunction(() => document.querySelector('[data-testid="trace-source"]')?.textContent === "mark.png");
+  await demo.idle();
+  const { contours } = await result(demo);
+  const said = /^(\d+) shapes or holes smaller than 16 px² were left out\.$/u.exec(await demo.textOf("trace-left-out"));
+  const count = Number(said?.[1]);
+  assert.ok(count >= 10, `${count} are told of`);
+  assert.equal(await demo.page.locator(".toast p").innerText(), said?.[0], "over the stage as well");
+  await demo.page.locator(".toast-action").click();
+  await demo.until(() => result(demo), (now) => now.contours === contours + count, "all of them are there");
+  assert.equal(await demo.byId("trace-left-out").isVisible(), false);
+  assert.equal(await demo.page.locator(".toast").count(), 0);
+  await demo.press("Control+z");
+  await demo.until(() => demo.byId("trace-left-out").isVisible(), (on) => on, "undone, it is said in the panel again");
+  assert.equal((await result(demo)).contours, contours);
+  await demo.byId("trace-keep-small").click();
+  await demo.until(() => result(demo), (now) => now.contours === contours + count, "the panel keeps them, too");
+  await demo.press("Control+z");
+  await demo.until(() => result(demo), (now) => now.contours === contours, "undone");
+  await demo.focusStage();
+  await demo.press("s");
+  await demo.until(() => result(demo), (now) => now.contours === contours + count, "and so does the key");
+  assert.equal((await asked(demo)).settings["speckle"], 2);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("nothing of that is said of the samples", async (t) => {
+  for (const id of ["trace-logo", "trace-leaf", "trace-small", "trace-sketch", "trace-postcard", "trace-big"]) {
+    const demo = await open(t, `#/trace?sample=${id}`);
+    assert.ok((await result(demo)).contours > 0);
+    assert.equal(await demo.byId("trace-left-out").isVisible(), false, id);
+    await demo.page.close();
+  }
+});
+
 test("an icon of 16 pixels is shown as large as other pictures", async (t) => {
   const demo = await open(t, "#/trace");
   for (const side of [400, 16]) {

@@ -1,7 +1,7 @@
 import { hasPicture, isEmptyTrace } from "../../document/trace/trace.ts";
 import type { Action, Editor, EditorState } from "../editor.ts";
 import { editTraceInCurve, smoothInFit } from "./hand-over.ts";
-import { canView, clearTrace, setTrace, setTraceView, showBox, sizeOf, stepPoint, toggleCorner, traceAnyway, usualColors } from "./trace-edits.ts";
+import { canView, clearTrace, keepSmall, leftOutOf, setTrace, setTraceView, showBox, sizeOf, stepPoint, toggleCorner, traceAnyway, usualColors } from "./trace-edits.ts";
 import type { TraceRunner } from "./trace-runner.ts";
 import type { TraceViewId } from "./trace-state.ts";
 
@@ -28,6 +28,7 @@ export function registerTraceActions(editor: Editor, runner: TraceRunner): void 
   add("trace-cancel", "Cancel tracing", [], () => runner.cancel(), (now) => inTrace(now) && now.traceRun.since !== null);
   add("trace-anyway", "Trace anyway", [], () => traceAnyway(editor), canTrace);
   add("trace-colors", "Trace in colours", [], () => setTrace(editor, "Flat colours", { colors: usualColors }), (now) => canTrace(now) && now.trace.settings.colors === 0);
+  add("trace-keep-small", "Keep small shapes", ["S"], () => keepSmall(editor), (now) => canTrace(now) && leftOutOf(now) !== null);
   add("trace-clear", "Clear picture", [], () => clearTrace(editor), (now) => inTrace(now) && !isEmptyTrace(now.trace));
   add("trace-next", "Next point", ["]"], () => stepPoint(editor, 1, false), hasOutlines);
   add("trace-previous", "Previous point", ["["], () => stepPoint(editor, -1, false), hasOutlines);

@@ -2,7 +2,8 @@ import { traceSample } from "../../document/trace/trace-samples.ts";
 import { outcomeOf } from "../../kernel/trace/outcome.ts";
 import type { TraceHandlers } from "../../kernel/trace/trace-client.ts";
 import type { Editor } from "../editor.ts";
-import { losesColors, setTraceView } from "./trace-edits.ts";
+import { leftOutOf, losesColors, setTraceView } from "./trace-edits.ts";
+import { leftOutText } from "./trace-hint.ts";
 import type { TraceRun } from "./trace-state.ts";
 
 /** Puts what the tracer answers into the state. */
@@ -21,6 +22,13 @@ export function closePicture({ state }: Editor): void {
   const { picture } = state.value.traceRun;
   picture?.source.close();
   picture?.edges.close();
+}
+
+/** Once for a picture, and not in place of what matters more: its colours. */
+function sayLeftOut(editor: Editor): void {
+  const left = leftOutOf(editor.state.value);
+  if (left === null || losesColors(editor.state.value)) return;
+  editor.notify({ kind: "toast", text: leftOutText(left), actionId: "trace-keep-small" });
 }
 
 /** `settle` is called whenever a job is over. */
@@ -42,7 +50,11 @@ export function traceAnswers(editor: Editor, settle: () => void): TraceHandlers 
     },
     traced(result, ms) {
       if (result.outlines.length === 0) over({ outcome: null, failure: { id: "trace-none" }, lastMs: ms });
-      else over({ outcome: outcomeOf(result, editor.state.value.trace.sample), failure: null, lastMs: ms });
+      else {
+        const isFirst = editor.state.value.traceRun.outcome === null;
+        over({ outcome: outcomeOf(result, editor.state.value.trace.sample), failure: null, lastMs: ms });
+        if (isFirst) sayLeftOut(editor);
+      }
       setTraceView(editor, { chosen: null, over: null });
       settle();
     },

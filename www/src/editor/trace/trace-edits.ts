@@ -1,5 +1,6 @@
 import { traceSample, type TraceSample } from "../../document/trace/trace-samples.ts";
 import { emptyTrace, isEmptyTrace, traceDefaults, withChoice, withPicture, type OwnPicture, type TraceDocument, type TraceSettings } from "../../document/trace/trace.ts";
+import type { LeftOut } from "../../kernel/trace/job.ts";
 import { pointCount, shownOutcome, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import type { CurveDocument } from "../../document/document.ts";
 import { fitted } from "../pointer/camera.ts";
@@ -82,6 +83,17 @@ export function losesColors({ trace: { settings }, traceRun: { picture } }: Edit
 /** A photograph is traced if that is what somebody wants. */
 export function traceAnyway(editor: Editor): void {
   change(editor, "Trace anyway", (trace) => ({ ...trace, anyway: true }));
+}
+
+/** What was too small to be kept and may be missed, until a speckle is asked for that keeps it. */
+export function leftOutOf({ trace, traceRun }: EditorState): LeftOut | null {
+  const left = traceRun.outcome?.leftOut;
+  return left !== undefined && trace.settings.speckle > left.keeping ? left : null;
+}
+
+export function keepSmall(editor: Editor): void {
+  const left = leftOutOf(editor.state.value);
+  if (left !== null) setTrace(editor, "Speckle", { speckle: left.keeping });
 }
 
 /** What is on the stage, with what was decided about its corners, and the numbers that are true of it. */

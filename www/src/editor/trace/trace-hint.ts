@@ -1,4 +1,5 @@
 import { isEmptyTrace } from "../../document/trace/trace.ts";
+import type { LeftOut } from "../../kernel/trace/job.ts";
 import { cornersIn, pointCount } from "../../kernel/trace/outcome.ts";
 import type { EditorState } from "../editor.ts";
 import { describePoint, shownOf } from "./trace-edits.ts";
@@ -18,6 +19,11 @@ export function traceHint(state: EditorState): string {
     : state.touch ? "Double-tap a point to switch between corner and smooth." : `Double-click a point to switch between corner and smooth.${traceRun.picture === null ? "" : " Hold O to see only the picture."}`;
 }
 
+/** "12 shapes or holes smaller than 16 px² were left out." */
+export function leftOutText({ count, below }: LeftOut): string {
+  return count === 1 ? `A shape or hole smaller than ${below} px² was left out.` : `${count} shapes or holes smaller than ${below} px² were left out.`;
+}
+
 /** The picture in words, for those who do not see it. */
 export function traceSummary(state: EditorState): string {
   const { trace, traceRun } = state;
@@ -27,6 +33,7 @@ export function traceSummary(state: EditorState): string {
   const { drawing, max } = shown;
   const { picture } = traceRun;
   const holes = shown.holes.filter((hole) => hole).length;
+  const left = shown.leftOut === undefined ? "" : ` ${leftOutText(shown.leftOut)}`;
   const error = max === null ? "" : ` No place is farther than ${max.toPrecision(2)} pixels from the edge in the picture.`;
-  return `${picture?.name ?? trace.kept?.name ?? "The picture"}: ${drawing.contours.length} outlines, ${holes} of them holes, ${pointCount(drawing)} points, ${cornersIn(drawing).length} corners.${error} Brackets step through the points, C toggles a corner.`;
+  return `${picture?.name ?? trace.kept?.name ?? "The picture"}: ${drawing.contours.length} outlines, ${holes} of them holes, ${pointCount(drawing)} points, ${cornersIn(drawing).length} corners.${error}${left} Brackets step through the points, C toggles a corner.`;
 }

@@ -64,6 +64,15 @@ export interface TraceSizes {
   readonly polygonGzip: number;
 }
 
+/** Contours that were smaller than the speckle, where they may be missed. Areas are in square pixels of the picture. */
+export interface LeftOut {
+  readonly count: number;
+  /** The speckle that they were smaller than, */
+  readonly below: number;
+  /** and the one that keeps them. */
+  readonly keeping: number;
+}
+
 export interface TraceResult {
   readonly outlines: readonly TracedOutline[];
   /** The colours, "#rrggbb", the lowest layer first; none where there is only ink. */
@@ -75,6 +84,7 @@ export interface TraceResult {
   /** The largest distance of a corner from the border of the ink, in pixels; null where edges, lines or colours were followed. */
   readonly beyond: number | null;
   readonly sizes: TraceSizes;
+  readonly leftOut?: LeftOut;
   /** Milliseconds by stage. */
   readonly stages: Readonly<Record<string, number>>;
 }

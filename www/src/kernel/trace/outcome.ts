@@ -38,10 +38,11 @@ export interface TraceOutcome {
   readonly iou: number | null;
   readonly segments: TraceResult["segments"] | null;
   readonly sizes: TraceResult["sizes"] | null;
+  readonly leftOut?: TraceResult["leftOut"];
   readonly stages: TraceResult["stages"];
 }
 
-export function outcomeOf({ outlines, colors, segments, iou, beyond, sizes, stages }: TraceResult, sample: string | undefined): TraceOutcome {
+export function outcomeOf({ outlines, colors, segments, iou, beyond, sizes, leftOut, stages }: TraceResult, sample: string | undefined): TraceOutcome {
   const length = outlines.reduce((sum, outline) => sum + outline.length, 0);
   const squares = outlines.reduce((sum, { metrics, length: own }) => sum + metrics.rmse ** 2 * own, 0);
   return {
@@ -52,7 +53,7 @@ export function outcomeOf({ outlines, colors, segments, iou, beyond, sizes, stag
     cubics: outlines.map(({ cubics }) => cubics),
     rms: length === 0 ? 0 : Math.sqrt(squares / length),
     max: outlines.reduce((most, { metrics }) => Math.max(most, metrics.max), 0),
-    segments, iou, beyond, sizes, stages,
+    segments, iou, beyond, sizes, leftOut, stages,
   };
 }
 

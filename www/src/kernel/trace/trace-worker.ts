@@ -1,8 +1,9 @@
 /** The worker that traces: one picture at a time, the newest request first. */
 import init, { ExplineError } from "expline/slim";
 import wasmUrl from "expline/expline_bg.wasm?url";
-import { shadesInEvenLight, startTraceEngine, tracePixels } from "./engine.ts";
+import { shadesInEvenLight, startTraceEngine, tracePixels, type TraceOptions } from "./engine.ts";
 import { traceStages, type TraceAnswer, type TraceHow, type TraceRequest, type TraceStage } from "./job.ts";
+import { leftOut } from "./left-out.ts";
 import { measured } from "./measured.ts";
 import { hasFlatColors } from "./pixels/flat-colors.ts";
 import { imageOf } from "./raster.ts";
@@ -93,19 +94,19 @@ async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: 
   if (await ended(signal)) return answer({ kind: "stopped", id });
   const scale = [pixels.width / pixels.columns, pixels.height / pixels.rows] as const;
   const least = how.speckle / (scale[0] * scale[1]);
-  if (byShade && tooMany(request, ink, pixels, least)) return;
-  const found = await tracePixels(pixels, {
-    ...options(how, least), signal,
-    onProgress: ({ stage, done, total }) => report(stage, done, total),
-  });
+  const areas = byShade ? pieceAreas(ink, pixels.columns, pixels.rows) : [];
+  if (tooMany(request, areas, pixels, least)) return;
+  const asked = { ...options(how, least), signal };
+  const found = await tracePixels(pixels, { ...asked, onProgress: ({ stage, done, total }) => report(stage, done, total) });
   report("measuring", 0, 1);
   const border = byShade ? { border: { shades: soft, threshold } } : {};
   const result = await measured(found, scale, { ink, columns: pixels.columns, rows: pixels.rows, ...border }, how.corner);
+  const left = await leftOut(found, { trace: tracePixels, pixels, options: asked, least: overMost(areas, how) });
   if (signal.aborted) return answer({ kind: "stopped", id });
-  answer({ kind: "traced", id, result, ms: performance.now() - start });
+  answer({ kind: "traced", id, result: left === null ? result : { ...result, leftOut: left }, ms: performance.now() - start });
 }
 
-function options(how: TraceHow, speckle: number): Parameters<typeof tracePixels>[1] {
+function options(how: TraceHow, speckle: number): TraceOptions & { speckle: number; maxContours: number } {
   const ink = { source: how.source, invert: how.invert, ...(how.threshold === "auto" ? {} : { threshold: how.threshold }) };
   return {
     speckle, corner: how.corner, tolerance: how.tolerance,
@@ -116,12 +117,17 @@ function options(how: TraceHow, speckle: number): Parameters<typeof tracePixels>
 }
 
 /** Says that this is a photograph, and from which speckle on it would not be. */
-function tooMany({ id, how }: Extract<TraceRequest, { kind: "trace" }>, ink: Uint8Array, { columns, rows, width, height }: Pixels, least: number): boolean {
-  const areas = pieceAreas(ink, columns, rows).filter((area) => area >= least);
-  if (areas.length <= how.mostContours) return false;
-  const perPixel = (width * height) / (columns * rows);
-  answer({ kind: "photo", id, count: areas.length, speckle: Math.ceil((areas[how.mostContours] ?? 1) * perPixel) + 1 });
+function tooMany({ id, how }: Extract<TraceRequest, { kind: "trace" }>, areas: ArrayLike<number>, { columns, rows, width, height }: Pixels, least: number): boolean {
+  const count = Array.from(areas).filter((area) => area >= least).length;
+  if (count <= how.mostContours) return false;
+  answer({ kind: "photo", id, count, speckle: Math.ceil(overMost(areas, how) * ((width * height) / (columns * rows))) });
   return true;
+}
+
+/** The area, in pixels that were looked at, from which on there are no more pieces than contours of a drawing; 0 where there are no more of any. */
+function overMost(areas: ArrayLike<number>, { mostContours }: TraceHow): number {
+  const area = areas[mostContours];
+  return area === undefined ? 0 : area + 1;
 }
 
 /** The speckle in square pixels of the picture from which on so many contours would be left; 0 where the tracer knows of none. */

@@ -1,6 +1,7 @@
 import { hasPicture } from "../../document/trace/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { shownOf } from "../../editor/trace/trace-edits.ts";
+import { leftOutOf, shownOf } from "../../editor/trace/trace-edits.ts";
+import { leftOutText } from "../../editor/trace/trace-hint.ts";
 import { cornersIn, pointCount, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import { h, setText } from "../controls/dom.ts";
 import { formatBytes, formatCount, formatDeviation } from "../controls/format.ts";
@@ -30,11 +31,14 @@ export function resultSection(shell: Shell): Section {
     title: "Export the outlines as SVG, path, JSON or PNG.",
     click: () => editor.actions.run("export"),
   }, h("span", {}, "Export"));
+  const keep = action("Keep them", "trace-keep-small", "Trace again with a speckle that keeps them (S).");
+  const left = h("p", { class: "field-note", testid: "trace-left-out" });
+  const offer = h("div", { class: "trace-left-out" }, left, keep);
   let printed: TraceOutcome | null = null;
   return {
     element: h("section", { class: "section", "aria-label": "Result" },
       h("div", { class: "field-row" }, run, cancel, state),
-      h("div", { class: "legend" }, corners.row, smooth.row), list,
+      h("div", { class: "legend" }, corners.row, smooth.row), list, offer,
       h("div", { class: "field-row trace-actions" }, edit, fit, save)),
     update(now) {
       const { trace, traceRun: { since }, traceProgress: progress } = now;
@@ -45,6 +49,9 @@ export function resultSection(shell: Shell): Section {
       for (const button of [edit, fit, save]) button.disabled = shown === null;
       const sharp = shown === null ? 0 : cornersIn(shown.drawing).length;
       corners.show(sharp);
+      const small = leftOutOf(now);
+      offer.hidden = small === null;
+      if (small !== null) setText(left, leftOutText(small));
       smooth.show(shown === null ? 0 : pointCount(shown.drawing) - sharp);
       if (shown === printed) return;
       printed = shown;
