@@ -1,13 +1,8 @@
 /** What arrives by drop or by paste, anywhere on the page. */
 
-/** True while what has the focus takes text itself: the page leaves its pastes and drops alone. */
-function takesText(target: EventTarget | null): boolean {
-  if (!(target instanceof HTMLElement)) return false;
-  if (target.isContentEditable || target instanceof HTMLTextAreaElement) return true;
-  return target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button", "file", "submit"].includes(target.type);
-}
-
 export interface IncomingHandlers {
+  /** Whether something takes text itself: the page leaves its pastes and drops alone. */
+  takesText(target: EventTarget | null): boolean;
   files(files: readonly File[]): void;
   text(text: string): void;
   /** Something is being dragged over the page, or no longer. */
@@ -16,6 +11,7 @@ export interface IncomingHandlers {
 
 /** Listens on the whole page for drops and pastes. */
 export function listenForIncoming(handlers: IncomingHandlers, until: AbortSignal): void {
+  const { takesText } = handlers;
   let depth = 0;
   const over = (change: number): void => {
     depth = Math.max(0, depth + change);

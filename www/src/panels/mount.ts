@@ -1,4 +1,5 @@
 import type { Mode } from "../document/document.ts";
+import { takesText } from "../editor/actions/keymap.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { sayMissing, whenLoaded } from "../editor/loading.ts";
@@ -55,6 +56,7 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   // What is loaded when it is first asked for may be out of reach by then.
   window.addEventListener("vite:preloadError", ({ payload }: Event & { payload?: unknown }) => sayMissing(editor, "This part of the page", payload), { signal: until });
   io.listenForIncoming({
+    takesText,
     files: (files) => whenLoaded(editor, import("./files/file-work.ts"), ({ receiveFiles }) => receiveFiles(shell, files)),
     text: (text) => whenLoaded(editor, import("./files/file-work.ts"), ({ receiveText }) => receiveText(shell, text)),
     dragging: (over) => regions.stage.toggleAttribute("data-drop", over),

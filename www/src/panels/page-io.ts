@@ -48,6 +48,7 @@ export interface FileLook {
 }
 
 export interface IncomingHandlers {
+  takesText(target: EventTarget | null): boolean;
   files(files: readonly File[]): void;
   text(text: string): void;
   dragging(over: boolean): void;

@@ -42,6 +42,11 @@ function isNear(index: number, chosen: number, count: number): boolean {
   return count <= mostProxies || Math.min(away, count - away) < mostProxies / 2;
 }
 
+/** "pt-0-2" for a point, "hin-0-2" and "hout-0-2" for its handles. */
+function idOf({ contour, index }: PointRef, side: Side | null): string {
+  return `${side === null ? "pt" : `h${side}`}-${contour}-${index}`;
+}
+
 function wantedProxies(state: EditorState): Wanted[] {
   if (state.mode !== "curve") return [];
   const { curve, view, stage } = state;
@@ -54,7 +59,7 @@ function wantedProxies(state: EditorState): Wanted[] {
     contour.points.forEach((point, index) => {
       if (!isNear(index, chosen, contour.points.length)) return;
       const ref = { contour: c, index };
-      list.push({ id: `pt-${c}-${index}`, label: describe(curve, ref), ref, side: null, ...toScreen(view, stage, point) });
+      list.push({ id: idOf(ref, null), label: describe(curve, ref), ref, side: null, ...toScreen(view, stage, point) });
       for (const handle of handles) if (handle.contour === c && handle.index === index) list.push(handleProxy(state, handle));
     });
   });
@@ -65,16 +70,14 @@ function handleProxy({ curve, view, stage }: EditorState, handle: HandleRef): Wa
   const point = curve.contours[handle.contour]?.points[handle.index];
   const offset = point?.[handle.side] ?? { dx: 0, dy: 0 };
   const place = toScreen(view, stage, { x: (point?.x ?? 0) + offset.dx, y: (point?.y ?? 0) + offset.dy });
-  const prefix = handle.side === "in" ? "hin" : "hout";
-  return { id: `${prefix}-${handle.contour}-${handle.index}`, label: describe(curve, handle, handle.side), ref: handle, side: handle.side, ...place };
+  return { id: idOf(handle, handle.side), label: describe(curve, handle, handle.side), ref: handle, side: handle.side, ...place };
 }
 
 /** The proxy that stands for the selection: it carries the stage's tab stop. */
-function activeId({ selection }: EditorState): string | null {
-  const { handle } = selection;
-  if (handle !== null) return `${handle.side === "in" ? "hin" : "hout"}-${handle.contour}-${handle.index}`;
-  const last = selection.points[selection.points.length - 1];
-  return last === undefined ? null : `pt-${last.contour}-${last.index}`;
+function activeId({ selection: { handle, points } }: EditorState): string | null {
+  if (handle !== null) return idOf(handle, handle.side);
+  const last = points.at(-1);
+  return last === undefined ? null : idOf(last, null);
 }
 
 export function createProxies(editor: Editor, frame: Frame, surface: HTMLElement, layer: HTMLElement, until: AbortSignal): void {

@@ -28,8 +28,7 @@ export function actionFor(editor: Editor, chord: string): Action | undefined {
 }
 
 /** Whether an element takes typed text for itself. */
-export function takesText(element: Element | null): boolean {
-  if (element === null) return false;
-  if (element instanceof HTMLInputElement) return !["button", "checkbox", "radio", "range", "submit"].includes(element.type);
-  return element instanceof HTMLTextAreaElement || element instanceof HTMLSelectElement || (element instanceof HTMLElement && element.isContentEditable);
+export function takesText(element: EventTarget | null): boolean {
+  if (element instanceof HTMLInputElement) return !["button", "checkbox", "radio", "range", "submit", "file"].includes(element.type);
+  return element instanceof HTMLTextAreaElement || (element instanceof HTMLElement && element.isContentEditable);
 }

@@ -30,7 +30,8 @@ type Focus = "stage" | "nowhere" | "widget" | "keeper" | "settled";
 
 function focusIn(surface: HTMLElement): Focus {
   const { activeElement } = document;
-  if (activeElement?.closest("dialog, [role=menu]") != null) return "keeper";
+  // Letters choose among the options of a list.
+  if (activeElement?.closest("dialog, [role=menu], select") != null) return "keeper";
   // What a field shows by itself is its default: what is typed differs from it until it is taken.
   if (takesText(activeElement)) return activeElement instanceof HTMLInputElement && activeElement.value === activeElement.defaultValue ? "settled" : "keeper";
   if (surface.contains(activeElement)) return "stage";

@@ -58,27 +58,24 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
     else printed = Number.isNaN(shown) ? (options.word ?? "") : format(shown);
     input.defaultValue = input.value = printed;
   };
-  const refuse = (): void => {
-    setText(message, errorText("number", { least: options.least, most: options.most, kept: printed }));
-    setAttribute(message, "data-testid", "error");
-    setAttribute(message, "data-error", "number");
-    setAttribute(input, "aria-invalid", "true");
-    print();
-  };
-  const accept = (): void => {
-    setText(message, "");
-    setAttribute(message, "data-testid", null);
-    setAttribute(message, "data-error", null);
-    setAttribute(input, "aria-invalid", null);
+  /** Says what is wrong with what was typed; with nothing, that it is taken. */
+  const say = (text: string): void => {
+    const [testid, error, invalid] = text === "" ? [null, null, null] : ["error", "number", "true"];
+    setText(message, text);
+    setAttribute(message, "data-testid", testid);
+    setAttribute(message, "data-error", error);
+    setAttribute(input, "aria-invalid", invalid);
   };
   const commit = (): void => {
     const text = input.value;
     if (text === printed) return;
     const isWord = options.word !== undefined && text.trim().toLowerCase() === options.word.toLowerCase();
     const value = isWord ? null : parseTyped(text, options.least, options.most);
-    if (value === null && !isWord) return refuse();
-    accept();
-    options.write(value);
+    if (value === null && !isWord) say(errorText("number", { least: options.least, most: options.most, kept: printed }));
+    else {
+      say("");
+      options.write(value);
+    }
     print();
   };
   input.addEventListener("change", commit);
@@ -97,7 +94,7 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
     if (from === null || Number.isNaN(from)) return;
     event.preventDefault();
     const step = options.step * (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1);
-    accept();
+    say("");
     options.write(Math.min(options.most, Math.max(options.least, Number((from + step).toPrecision(12)))));
     print();
   });
