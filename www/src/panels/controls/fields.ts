@@ -104,7 +104,7 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
     element,
     input,
     show(value) {
-      setAttribute(input, "disabled", value === null ? "" : null);
+      input.disabled = value === null;
       if (Object.is(value, shown) && document.activeElement === input) return;
       shown = value;
       if (document.activeElement !== input || input.value === printed) print();
@@ -137,7 +137,7 @@ export function sliderField(options: SliderOptions): Field<number> & { readonly 
   );
   const output = h("output", { class: "slider-value num", for: id });
   const show = (value: number | null): void => {
-    setAttribute(input, "disabled", value === null ? "" : null);
+    input.disabled = value === null;
     if (value === null) return;
     if (Number(input.value) !== value) input.value = String(value);
     setText(output, options.print(value));
@@ -179,7 +179,7 @@ export function toggleField(options: ToggleOptions): Field<boolean | undefined> 
   return {
     element,
     show(value) {
-      setAttribute(input, "disabled", value === null ? "" : null);
+      input.disabled = value === null;
       input.checked = value === true;
       input.indeterminate = value === undefined;
     },
@@ -214,7 +214,7 @@ export function choiceField<T extends string>(options: Common & { readonly optio
       for (const { input, option } of inputs) {
         input.checked = option.value === value;
         const off = typeof option.disabled === "function" ? option.disabled() : option.disabled;
-        setAttribute(input, "disabled", value === null || off === true ? "" : null);
+        input.disabled = value === null || off === true;
       }
     },
   };
@@ -232,7 +232,7 @@ export function selectField<T extends string>(options: Common & { readonly optio
   return {
     element: h("div", { class: "field" }, labelFor(id, options), input),
     show(value) {
-      setAttribute(input, "disabled", value === null ? "" : null);
+      input.disabled = value === null;
       if (value !== null) input.value = value;
     },
   };

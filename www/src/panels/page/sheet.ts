@@ -1,4 +1,4 @@
-import { h, setAttribute } from "../controls/dom.ts";
+import { h } from "../controls/dom.ts";
 import { icon } from "../controls/icons.ts";
 
 const snaps = ["peek", "half", "full"] as const;
@@ -21,8 +21,8 @@ export function mountSheet(panel: HTMLElement, peekParts: readonly HTMLElement[]
   const show = (next: Snap): void => {
     snap = next;
     panel.dataset["snap"] = snap;
-    setAttribute(up, "disabled", snap === "full" ? "" : null);
-    setAttribute(down, "disabled", snap === "peek" ? "" : null);
+    up.disabled = snap === "full";
+    down.disabled = snap === "peek";
   };
   const step = (by: number): void => show(snaps[Math.max(0, Math.min(snaps.length - 1, snaps.indexOf(snap) + by))] ?? "peek");
   up.addEventListener("click", () => step(1));
