@@ -57,6 +57,18 @@ test("a gesture is one entry from its start, and undo during it takes back the g
   assert.equal(page().text, "a");
 });
 
+test("what is left of a gesture that was taken back does nothing and leaves no entry", () => {
+  const { edits, page } = timeline();
+  edits.dispatch("A", typed("a"));
+  edits.begin("Drag");
+  edits.preview(typed("x"));
+  edits.undo();
+  edits.preview(typed("y"));
+  edits.commit();
+  assert.equal(page().text, "a");
+  assert.deepEqual([edits.past, edits.future], ["A", null]);
+});
+
 test("a gesture that changed nothing leaves no entry", () => {
   const { edits } = timeline();
   edits.begin("Drag");

@@ -65,9 +65,7 @@ export function createEditor(now: () => number): Editor {
     },
     begin: curveEdits.begin,
     preview(command, also = {}) {
-      if (curveEdits.inGesture) return curveEdits.preview((start) => applied(command, start) ?? momentOf(state.value), also);
-      editor.patch(also);
-      editor.dispatch(command);
+      curveEdits.preview((start) => applied(command, start) ?? momentOf(state.value), also);
     },
     commit: curveEdits.commit,
     bail: curveEdits.bail,

@@ -8,7 +8,7 @@ export interface Timeline<M, Also = never> {
   settle(moment: M): void;
   /** Opens a gesture: everything until `commit` is one entry. */
   begin(name: string): void;
-  /** Applies the change to the state at `begin`, so that a drag is always evaluated from its start. */
+  /** Applies the change to the state at `begin`, so that a drag is always evaluated from its start; nothing once it was taken back. */
   preview(change: (start: M) => M, also?: Also): void;
   commit(): void;
   /** Changes what is there without an entry: a value that follows from others (a slider that shows what a target led to). */
@@ -82,8 +82,7 @@ export function createTimeline<M, Also = never>({ read, write, same, changed, no
       gesture = { name, start: read() };
     },
     preview(change, also) {
-      if (gesture === null) return timeline.dispatch("Change", change);
-      write(change(gesture.start), also);
+      if (gesture !== null) write(change(gesture.start), also);
     },
     commit() {
       if (gesture === null) return;

@@ -41,6 +41,10 @@ function focusIn(surface: HTMLElement): Focus {
 /** Keys that work whatever widget has the focus: the stage takes them only for itself. */
 const widgetKeys: ReadonlySet<string> = new Set(["Enter", "Tab", "ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End", "PageUp", "PageDown"]);
 
+/** Asks whoever is dragged outside of the stage to go back to where it was; who does so prevents the default. */
+export const dragTakenBack = "dragtakenback";
+const takesBack = (): boolean => !dispatchEvent(new Event(dragTakenBack, { cancelable: true }));
+
 class Keys {
   readonly #options: KeyOptions;
   readonly #editor: Editor;
@@ -57,6 +61,7 @@ class Keys {
   down(event: KeyboardEvent): void {
     this.#input.modifiers(modifiersOf(event));
     if (event.defaultPrevented || event.isComposing) return;
+    if (event.key === "Escape" && takesBack()) return event.preventDefault();
     const focus = focusIn(this.#options.surface);
     if (focus === "keeper") return;
     if (focus === "settled") return this.#travel(event);
@@ -105,10 +110,11 @@ class Keys {
   }
 
   #act(action: Action, event: KeyboardEvent, focus: Focus): void {
-    if (this.#input.busy && (action.id === "undo" || action.id === "redo")) {
+    if ((action.id === "undo" || action.id === "redo") && (takesBack() || this.#input.busy)) {
       // Undo during a drag takes back the drag, and no more than that, even when there is nothing else to undo.
       event.preventDefault();
-      return void this.#input.cancel();
+      if (this.#input.busy) this.#input.cancel();
+      return;
     }
     const can = action.enabled?.(this.#editor.state.value) !== false;
     // What cannot be done now is not what the browser has on the key: going back, a bookmark, all of the page's text.

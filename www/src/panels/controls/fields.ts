@@ -2,6 +2,8 @@
  * The controls of the panels: native inputs with a visible label, one sentence of explanation, a reset on the label's
  * double click, and errors said beside the field while the old value stays.
  */
+import { dragTakenBack } from "../../editor/pointer/dom-keys.ts";
+import type { Timeline } from "../../editor/history/timeline.ts";
 import { errorText } from "../messages/errors.ts";
 import { freshId, h, setAttribute, setText, type Child } from "./dom.ts";
 import { formatCoordinate, parseTyped } from "./format.ts";
@@ -112,11 +114,8 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
   };
 }
 
-/** Gesture of a slider: everything between press and release is one step of the history. */
-export interface SliderGesture {
-  begin(): void;
-  commit(): void;
-}
+/** Everything between press and release is one step of such a history, and called as the slider is. */
+type SliderEdits = Pick<Timeline<unknown>, "begin" | "commit" | "bail" | "inGesture">;
 
 export interface SliderOptions extends Common {
   readonly least: number;
@@ -125,7 +124,8 @@ export interface SliderOptions extends Common {
   /** The word at the right end: what more of it means. */
   readonly direction?: string;
   readonly print: (position: number) => string;
-  readonly gesture?: SliderGesture;
+  readonly edits?: SliderEdits;
+  /** What comes of it is shown again. */
   write(position: number): void;
 }
 
@@ -136,9 +136,12 @@ export function sliderField(options: SliderOptions): Field<number> & { readonly 
     { id, class: "slider", testid: options.testid, type: "range", min: options.least, max: options.most, step: options.step, title: options.about },
   );
   const output = h("output", { class: "slider-value num", for: id });
+  let shown = 0;
+  let { write } = options;
   const show = (value: number | null): void => {
     input.disabled = value === null;
     if (value === null) return;
+    shown = value;
     if (Number(input.value) !== value) input.value = String(value);
     setText(output, options.print(value));
     setAttribute(input, "aria-valuetext", options.print(value));
@@ -146,18 +149,28 @@ export function sliderField(options: SliderOptions): Field<number> & { readonly 
   input.addEventListener("pointerdown", ({ button }) => {
     // The menu that another button opens may keep the release to itself.
     if (button !== 0) return;
-    options.gesture?.begin();
-    // A finger that turns out to scroll the panel ends with a cancel.
+    const from = shown;
+    options.edits?.begin(options.label);
     const over = new AbortController();
+    const on = (type: string, listener: (event: Event) => void): void => window.addEventListener(type, listener, { signal: over.signal });
+    on(dragTakenBack, (event) => {
+      event.preventDefault();
+      write(from);
+      options.edits?.bail();
+      // The thumb goes on following the pointer by itself.
+      write = () => (input.value = String(shown));
+    });
+    // A finger that turns out to scroll the panel ends with a cancel.
     for (const type of ["pointerup", "pointercancel"]) {
-      window.addEventListener(type, () => {
+      on(type, () => {
         over.abort();
-        options.gesture?.commit();
-      }, { signal: over.signal });
+        write = options.write;
+        options.edits?.commit();
+      });
     }
   });
   input.addEventListener("input", () => {
-    options.write(Number(input.value));
+    write(Number(input.value));
     setText(output, options.print(Number(input.value)));
   });
   const direction = options.direction === undefined ? null : h("span", { class: "direction", "aria-hidden": "true" }, `→ ${options.direction}`);

@@ -209,7 +209,7 @@ export function levelRow(editor: Editor): Row & { readonly element: HTMLElement 
     print: String,
     write,
     reset: () => write(0),
-    gesture: { begin: () => editor.begin("Level"), commit: () => editor.commit() },
+    edits: editor,
   });
   return {
     element: level.element,

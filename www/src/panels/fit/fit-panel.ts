@@ -39,7 +39,7 @@ function dataSection(shell: Shell): Section {
     least: 0, most: 20, step: 0.5, print: (value) => `${value} px`,
     write: (value) => setNoise(editor, value, editor.state.value.fit.seed),
     reset: () => setNoise(editor, fitSample(editor.state.value.fit.sample ?? "")?.settings.noise ?? 0, editor.state.value.fit.seed),
-    gesture: { begin: () => editor.fitEdits.begin("Noise"), commit: () => editor.fitEdits.commit() },
+    edits: editor.fitEdits,
   });
   const seed = numberField({
     label: "Seed", testid: "fit-seed", about: "Changes the noise, not its strength.", least: 0, most: 9999, step: 1, format: String,
@@ -77,13 +77,12 @@ function dataSection(shell: Shell): Section {
 
 function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElement } {
   const { editor } = shell;
-  const gesture = (name: string) => ({ begin: () => editor.fitEdits.begin(name), commit: () => editor.fitEdits.commit() });
   const smoothing = sliderField({
     label: "Smoothing", testid: "fit-smoothing", about: "How much to simplify: the cost of a knot, independent of the drawing's size.",
     least: 0, most: 100, step: 0.5, direction: "fewer knots", print: (value) => String(value),
     write: (value) => setSmoothing(editor, value),
     reset: () => setSmoothing(editor, fitSample(editor.state.value.fit.sample ?? "")?.settings.smoothing ?? 40),
-    gesture: gesture("Smoothing"),
+    edits: editor.fitEdits,
   });
   const chart = chartSection(shell);
   const target = selectField<FitTarget>({
@@ -146,7 +145,7 @@ function modelSection(shell: Shell): Section {
   const mix = sliderField({
     label: "Mix", testid: "fit-mix", about: "Whether to prefer straight or smooth pieces.", least: 0, most: 100, step: 1, direction: "smooth", print: String,
     write: (value) => setMix(editor, value), reset: () => setMix(editor, 50),
-    gesture: { begin: () => editor.fitEdits.begin("Mix"), commit: () => editor.fitEdits.commit() },
+    edits: editor.fitEdits,
   });
   const corners = toggleField({
     label: "Keep corners",

@@ -20,6 +20,7 @@ export function openSurfaceExport(shell: Shell): void {
   const numbers = h("dl", { class: "export-numbers num" },
     h("div", {}, h("dt", {}, "Triangles"), count), h("div", {}, h("dt", {}, "OBJ"), obj), h("div", {}, h("dt", {}, "glTF"), gltf));
   const show = (): void => {
+    slider.show(sides);
     const { rows, cols } = meshSize(surface, sides);
     const cells = (surface.u?.closed === true ? rows : rows - 1) * (surface.v?.closed === true ? cols : cols - 1);
     setText(count, String(2 * cells));
@@ -32,7 +33,6 @@ export function openSurfaceExport(shell: Shell): void {
     least: 2, most: 64, step: 1, direction: "smoother", print: String,
     write: (value) => { sides = value; show(); },
   });
-  slider.show(sides);
   show();
   const dialog = openDialog(
     { title: "Export the surface", testid: "export-dialog" },

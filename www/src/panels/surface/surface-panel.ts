@@ -47,7 +47,7 @@ function shapeSection(shell: Shell): Section & { readonly level: HTMLElement } {
       setSurfaceLevels(editor, which === "u" ? value : levelU, which === "v" ? value : levelV);
     },
     reset: () => setSurfaceLevels(editor, which === "u" ? 0 : editor.state.value.surface.levelU, which === "v" ? 0 : editor.state.value.surface.levelV),
-    gesture: { begin: () => editor.surfaceEdits.begin("Level"), commit: () => editor.surfaceEdits.commit() },
+    edits: editor.surfaceEdits,
   });
   const [levelU, levelV] = [level("u"), level("v")];
   const badge = h("span", { class: "badge num", testid: "surf-badge" });

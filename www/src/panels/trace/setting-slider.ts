@@ -32,7 +32,7 @@ export function settingSlider({ editor }: Shell, spec: SliderSpec): ReturnType<t
     ...(direction === undefined ? {} : { direction }),
     write: (position) => setTrace(editor, label, { [name]: spec.scale?.toValue(position) ?? position }),
     reset: () => setTrace(editor, label, { [name]: ownSettings(editor.state.value.trace)[name] }),
-    gesture: { begin: () => editor.traceEdits.begin(label), commit: () => editor.traceEdits.commit() },
+    edits: editor.traceEdits,
   });
 }
 
