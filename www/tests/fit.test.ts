@@ -7,10 +7,12 @@ import { bringStrokes } from "../src/editor/fit/bring.ts";
 import { toggleFitOverlay } from "../src/editor/fit/fit-actions.ts";
 import { chooseFitTool, clearFit, eraseAt, openFitSample, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../src/editor/fit/fit-edits.ts";
 import { mostDifferent, sameSubject, subjectOf } from "../src/editor/fit/fit-question.ts";
+import { showChartPoint } from "../src/editor/fit/fit-answers.ts";
 import { createFitRunner, type FitRunner } from "../src/editor/fit/fit-runner.ts";
 import { readShareHash, shareHash } from "../src/io/link/share.ts";
 import { createFitClient, type FitClient } from "../src/kernel/fit/fit-client.ts";
 import type { FitAnswer, FitRequest, FitSubject } from "../src/kernel/fit/job.ts";
+import type { FitOutcome } from "../src/kernel/fit/outcome.ts";
 import { shownKnots } from "../src/kernel/fit/knots.ts";
 import { createFitTool } from "../src/tools/fit/fit-tool.ts";
 import { Hand } from "./harness.ts";
@@ -437,6 +439,27 @@ test("a fit that came after the next was asked for has its own settings again wh
   runner.cancel();
   worker.answer({ kind: "stopped", subject: 1, id: 2 });
   assert.equal(editor.state.value.fit.smoothing, before);
+});
+
+test("where a target has led, the slider shows once, however far the chart is filled and whether or not its errors fall throughout", () => {
+  const rising = (at: number): number => (at - 55) / 5;
+  for (const [rms, expected, errors] of [
+    [3, 70, rising],
+    [3, 47.5, (at: number) => (at === 45 ? 2.5 : at === 50 ? 3.5 : at > 50 ? 9 : at === 30 ? 8 : 1)], // What zigzags below is no matter.
+    [20, 100, rising], [0.01, 0, (at: number) => 1 + at],
+  ] as const) {
+    const { editor } = onPuppets();
+    setTarget(editor, "error");
+    const outcome = { rms, smoothing: null, knots: [] } as unknown as FitOutcome;
+    editor.patch({ fitRun: { ...editor.state.value.fitRun, outcome, chart: [] } });
+    const shown = [editor.state.value.fit.smoothing];
+    for (let at = 100; at >= 0; at -= 5) {
+      showChartPoint(editor, { smoothing: at, knots: 3, rms: errors(at) });
+      const { smoothing } = editor.state.value.fit;
+      if (smoothing !== shown.at(-1)) shown.push(smoothing);
+    }
+    assert.deepEqual(shown.slice(1), [expected], `an error of ${rms}`);
+  }
 });
 
 test("the chart is that of the curve that is shown, not of one that was stopped", () => {

@@ -41,12 +41,15 @@ export interface ChartPoint {
   readonly rms: number;
 }
 
-/** Where on the chart a fit with this error would be; null while the chart says nothing about it. */
+/**
+ * The strongest smoothing on the chart with such an error; null while the chart says nothing about it. The chart is
+ * filled from strong to weak: what has been said once stays true of all of it.
+ */
 export function smoothingLike(chart: readonly ChartPoint[], rms: number): number | null {
-  const next = chart.findIndex((point) => point.rms >= rms);
-  const [after, before] = [chart[next], chart[next - 1]];
-  if (after === undefined) return chart.length > 0 ? 100 : null;
-  if (before === undefined || after.rms <= before.rms) return after.smoothing;
+  const at = chart.map((point) => point.rms < rms).lastIndexOf(true);
+  const [before, after] = [chart[at], chart[at + 1]];
+  if (before === undefined) return after?.smoothing === 0 ? 0 : null;
+  if (after === undefined) return before.smoothing;
   return before.smoothing + ((rms - before.rms) / (after.rms - before.rms)) * (after.smoothing - before.smoothing);
 }
 
