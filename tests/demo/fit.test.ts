@@ -206,6 +206,18 @@ test("V18 knots that have vanished are gone from the picture, without a touch of
   assert.equal(await demo.changedPixels(after, await demo.pixels()), 0);
 });
 
+test("the chart says of every smoothing what the slider gives there", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-star");
+  const chart = demo.byId("fit-chart");
+  await demo.until(() => chart.locator("rect").count(), (columns) => columns === 21, "the chart is filled");
+  const said = (await chart.getAttribute("aria-label")) ?? "";
+  for (const at of [0, 40, 100]) {
+    await demo.slide("fit-smoothing", at);
+    const { knots, rms } = await result(demo);
+    assert.ok(said.includes(`At ${at}: ${knots.length} knots, rms ${rms.toPrecision(2)}`), `${knots.length} knots, rms ${rms} at ${at}, not as in: ${said}`);
+  }
+});
+
 test("a knot that is dragged draws nothing: it is chosen, and Edit in Curve is offered", async (t) => {
   const demo = await open(t, "#/fit?sample=fit-star");
   const { fit } = await demo.state();

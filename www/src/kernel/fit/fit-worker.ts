@@ -110,9 +110,9 @@ async function fit(request: Extract<FitRequest, { kind: "fit" }>, signal: AbortS
 }
 
 async function chart(at: readonly number[], signal: AbortSignal): Promise<void> {
-  // From strong to weak: knots come one after the other, and each solve begins near its end.
+  // From strong to weak, as those are the quickest; each is what the slider gives there, which fits within a drag only come near.
   for (const smoothing of [...at].sort((a, b) => b - a)) {
-    const fits = await solve({ by: "smoothing", smoothing: smoothing / 100 }, true, signal, nobody);
+    const fits = await solve({ by: "smoothing", smoothing: smoothing / 100 }, false, signal, nobody);
     const sizes = what.strokes.map(({ points }) => points.length / 2);
     const squares = fits.reduce((sum, { rms }, i) => sum + rms ** 2 * (sizes[i] ?? 0), 0);
     answer({ kind: "chart", subject, smoothing, knots: knotsOf(fits), rms: Math.sqrt(squares / Math.max(1, sizes.reduce((sum, size) => sum + size, 0))) });
