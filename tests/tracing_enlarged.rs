@@ -23,10 +23,19 @@ fn arrow() -> Vec<u8> {
 
 /// Every pixel, of `each` bytes, so many times in a row and in a column.
 fn repeated(bytes: &[u8], each: usize, side: usize, times: usize) -> Vec<u8> {
-    let wide = side * times;
-    let pixel = |i: usize| each * (i / wide / times * side + i % wide / times);
+    resized(bytes, each, side, [times, 1], 0)
+}
+
+/// So many pixels in a row and in a column for every `count` of them, each where its middle is nearest; `lead` says how middles are rounded.
+fn resized(bytes: &[u8], each: usize, side: usize, [size, count]: [usize; 2], lead: usize) -> Vec<u8> {
+    let wide = side * size / count;
+    let nearest = |at: usize| (at * count + lead) / size;
+    let pixel = |i: usize| each * (nearest(i / wide) * side + nearest(i % wide));
     (0..wide * wide).flat_map(|i| &bytes[pixel(i)..pixel(i) + each]).copied().collect()
 }
+
+/// What pictures on scaled displays are enlarged by.
+const FRACTIONS: [[usize; 2]; 6] = [[5, 4], [4, 3], [3, 2], [7, 4], [9, 4], [5, 2]];
 
 /// Contours are those of another picture, so many times as large and moved back. Where that is no power of two, products are rounded.
 fn assert_enlarged(contours: &[TracedContour], from: &[TracedContour], times: f64, back: [f64; 2]) {
@@ -57,6 +66,83 @@ fn a_drawing_enlarged_by_repeating_pixels_is_traced_as_the_drawing_and_enlarged(
         let large = traced(times * SIDE, times * SIDE, &repeated(&bytes, 1, SIDE, times));
         assert_enlarged(&large.contours, &small.contours, times as f64, [0.0; 2]);
         assert_eq!(large.contours[0].curve.points().len(), ARROW.len(), "the arrow has its own corners");
+    }
+}
+
+#[test]
+fn a_drawing_enlarged_by_a_fraction_is_traced_as_the_drawing_and_enlarged() {
+    let mut noise = Noise(3);
+    let clean = arrow();
+    let grainy: Vec<u8> =
+        clean.iter().map(|&shade| (f64::from(shade) * 0.9 + 25.0 * noise.unit()) as u8).collect();
+    for (bytes, fractions) in [(&clean, &FRACTIONS[..]), (&grainy, &FRACTIONS[..4])] {
+        let small = traced(SIDE, SIDE, bytes);
+        for &[size, count] in fractions {
+            // A middle between two pixels is that of either.
+            for lead in [(count - 1) / 2, count / 2] {
+                let wide = SIDE * size / count;
+                let large = traced(wide, wide, &resized(bytes, 1, SIDE, [size, count], lead));
+                assert_enlarged(&large.contours, &small.contours, size as f64 / count as f64, [0.0; 2]);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_part_cut_out_of_a_drawing_enlarged_by_a_fraction_is_traced_where_it_is() {
+    let bytes = arrow();
+    let small = traced(SIDE, SIDE, &bytes);
+    for [size, count] in FRACTIONS {
+        let (wide, times) = (SIDE * size / count, size as f64 / count as f64);
+        let large = resized(&bytes, 1, SIDE, [size, count], count / 2);
+        for left in 1..=size {
+            let top = (2 * left) % size;
+            let part: Vec<u8> =
+                large.chunks(wide).skip(top).flat_map(|row| &row[left..wide - 1]).copied().collect();
+            let cut = traced(wide - 1 - left, wide - top, &part);
+            assert_eq!(cut.contours.len(), small.contours.len(), "{size}/{count}, {left} columns cut off");
+            for (cut, small) in cut.contours.iter().zip(&small.contours) {
+                assert_eq!(cut.curve.points().len(), small.curve.points().len(), "as many points");
+                for (p, q) in cut.curve.points().iter().zip(small.curve.points()) {
+                    let off = p + Point::new(left as f64, top as f64) - q * times;
+                    // Where middles were rounded to is known to one part in so many of a pixel; tracing itself begins elsewhere.
+                    let most = 1.0 / count as f64 + 1e-6;
+                    assert!(off.amax() <= most, "{size}/{count}, {left} columns cut off: {off:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn marks_in_every_fifth_place_are_what_was_drawn() {
+    let mut noise = Noise(11);
+    let sizes: Vec<f64> = (0..16 * 16).map(|_| noise.unit()).collect();
+    let mark = |x: f64, y: f64| {
+        let size = sizes[(y / 5.0) as usize * 16 + (x / 5.0) as usize];
+        (x % 5.0 - 2.5, y % 5.0 - 2.5, size)
+    };
+    let dots = draw(80, 80, &|x, y| {
+        let (x, y, size) = mark(x, y);
+        x.hypot(y) < 0.5 + size
+    });
+    let mut bars = draw(80, 80, &|x, y| {
+        let (x, y, size) = mark(x, y);
+        x.abs() < 0.6 + 0.8 * size && y.abs() < 1.3 - 0.8 * size
+    });
+    // Each in a shade of its own.
+    for (i, shade) in bars.iter_mut().enumerate() {
+        *shade = 255 - ((255 - *shade) as f64 * (0.4 + 0.6 * sizes[i / 400 * 16 + (i / 5 + 7) % 16])) as u8;
+    }
+    for (bytes, what) in [(dots, "dots"), (bars, "bars")] {
+        let rgba: Vec<u8> = bytes.iter().flat_map(|&shade| [shade, shade, shade, 255]).collect();
+        let mut scan = BlockScan::new(80);
+        scan.push(&rgba, 4);
+        assert_eq!(scan.blocks(), None, "gaps between {what} that are alike say nothing of the {what}");
+        // The same marks enlarged are found, so it is not for their number.
+        let mut scan = BlockScan::new(100);
+        scan.push(&resized(&rgba, 4, 80, [5, 4], 2), 4);
+        assert_eq!(scan.blocks().map(|blocks| blocks.extent()), Some([80; 2]), "{what}");
     }
 }
 
@@ -161,7 +247,9 @@ fn rectangles_on_a_grid_stay_rectangles() {
 #[test]
 fn squares_of_chosen_colours_are_what_was_drawn() {
     // All colours of a palette, in any order; with twice as many they are those of edges.
-    for (count, are_squares) in [(32, true), (64, false)] {
+    for (count, are_squares, size) in
+        [(32, true, [10, 1]), (64, false, [10, 1]), (32, true, [3, 2]), (64, false, [3, 2])]
+    {
         let mut noise = Noise(7);
         let palette: Vec<[u8; 4]> = (0..count)
             .map(|_| [0, 1, 2, 3].map(|k| if k < 3 { (noise.unit() * 256.0) as u8 } else { 255 }))
@@ -170,8 +258,8 @@ fn squares_of_chosen_colours_are_what_was_drawn() {
         for cell in cells.chunks_mut(4).step_by(4) {
             cell.fill_with(|| palette[(noise.unit() * f64::from(count)) as usize]);
         }
-        let mut scan = BlockScan::new(400);
-        scan.push(&repeated(cells.as_flattened(), 4, 40, 10), 4);
+        let mut scan = BlockScan::new(40 * size[0] / size[1]);
+        scan.push(&resized(cells.as_flattened(), 4, 40, size, 0), 4);
         assert_eq!(scan.blocks().is_none(), are_squares, "{count} colours");
     }
 }
@@ -217,13 +305,15 @@ fn drawings_of_several_colours_are_enlarged_layer_by_layer() {
     let palette = [colors::WHITE, colors::RED, colors::BLUE];
     let (small, none) = layered(SIDE, &rgba, &palette);
     assert_eq!(none, None, "the drawing itself is of pixels");
-    for times in [2, 4] {
-        let (large, blocks) = layered(times * SIDE, &repeated(&rgba, 4, SIDE, times), &palette);
+    for [size, count] in [[2, 1], [4, 1], [3, 2], [5, 4]] {
+        let (wide, times) = (SIDE * size / count, size as f64 / count as f64);
+        let (large, blocks) =
+            layered(wide, &resized(&rgba, 4, SIDE, [size, count], (count - 1) / 2), &palette);
         assert_eq!(blocks.map(|blocks| blocks.extent()), Some([SIDE; 2]), "its squares are found");
         assert_eq!(large.len(), small.len(), "as many layers");
         for (large, small) in large.iter().zip(&small) {
             assert_eq!(large.color, small.color, "in their order");
-            assert_enlarged(&large.contours, &small.contours, times as f64, [0.0; 2]);
+            assert_enlarged(&large.contours, &small.contours, times, [0.0; 2]);
         }
     }
 }

@@ -21,13 +21,14 @@ function discs(): Drawn {
   return picture;
 }
 
-/** Every pixel so many times in a row and in a column. */
+/** Every pixel so many times in a row and in a column, on the average. */
 function enlarged({ width, height, data }: Drawn, times: number): Drawn {
   const each = data.length / (width * height);
   const [columns, rows] = [times * width, times * height];
   const large = new Uint8ClampedArray(each * columns * rows);
   for (let i = 0; i < columns * rows; i += 1) {
-    const from = each * (Math.floor(i / columns / times) * width + Math.floor((i % columns) / times));
+    const nearest = (at: number): number => Math.floor((at + 0.5) / times);
+    const from = each * (nearest(Math.floor(i / columns)) * width + nearest(i % columns));
     large.set(data.subarray(from, from + each), each * i);
   }
   return { width: columns, height: rows, data: large };
@@ -47,6 +48,24 @@ test("an enlarged drawing has the outlines and the layers of the drawing, so man
       assert.deepEqual(points(large, 4), points(small, 1), JSON.stringify(options));
       const inTasks = await traceImageAsync(enlarged(picture, 4), options);
       assert.equal(inTasks.toSvg(), large.toSvg());
+    }
+  }
+});
+
+test("a drawing on a scaled display has the outlines and the layers of the drawing, as many times as large", async () => {
+  const drawing = discs();
+  const shades = { ...drawing, data: drawing.data.filter((_, i) => i % 4 === 0) };
+  for (const times of [1.25, 1.5, 1.75]) {
+    for (const options of [{}, { colors: 4 }] satisfies TraceOptions[]) {
+      for (const picture of [drawing, shades]) {
+        const small = points(traceImage(picture, options), 1);
+        const large = traceImage(enlarged(picture, times), options);
+        const found = points(large, times);
+        assert.equal(found.length, small.length);
+        // Multiplied and divided again, numbers are the same up to their last bits.
+        assert.ok(found.every((v, i) => Math.abs(v - small[i]!) < 1e-12 * SIDE), `${times} times, ${JSON.stringify(options)}`);
+        assert.equal((await traceImageAsync(enlarged(picture, times), options)).toSvg(), large.toSvg());
+      }
     }
   }
 });
