@@ -204,3 +204,32 @@ fn a_mean_square_of_zero_is_the_curve_through_the_points() {
         assert!(found.max_error < 1e-8 * 200.0, "{count} points, degree {degree}: {}", found.max_error);
     }
 }
+
+/// Ten clicks: an arch, a sharp turn, a wave; by other seeds not quite there.
+fn clicked(seed: u64) -> Vec<Point> {
+    let x = [150.0, 210.0, 270.0, 330.0, 390.0, 470.0, 560.0, 650.0, 730.0, 800.0];
+    let y = [500.0, 400.0, 300.0, 400.0, 500.0, 430.0, 400.0, 430.0, 500.0, 400.0];
+    let mut random = Random::new(seed);
+    let off = if seed == 0 { 0.0 } else { 15.0 };
+    x.iter().zip(y).map(|(&x, y)| Point::new(x, y) + random.noise() * off).collect()
+}
+
+#[test]
+fn a_smoothing_of_a_few_clicks_leaves_their_way_by_no_more_than_half_a_step() {
+    let steps = Finish { extreme: true, merge: true, slide: true, debias: true, prune: true };
+    for seed in 0..8 {
+        let points = clicked(seed);
+        let apart = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).fold(0.0, f64::max);
+        for (degrees, smoothing) in
+            [1, 3, 4, 5, 6, 7].into_iter().flat_map(|s| [(vec![3], s), (vec![1, 3], s)])
+        {
+            let options = Options { degrees, closed: Some(false), finish: steps, ..Options::default() };
+            let ask = Ask::Smoothing(0.1 * f64::from(smoothing));
+            let fitted = fit(&points, ask, &options).expect("it can be fitted");
+            let farthest = places(&fitted).iter().map(|place| off(place, &points)).fold(0.0, f64::max);
+            // The curve of the optimum is a compromise: what its points are off on average is no swing.
+            let most = 0.5 * apart + 2.0 * fitted.rms;
+            assert!(farthest <= most, "seed {seed}, {smoothing}: {farthest} of {most}");
+        }
+    }
+}

@@ -64,11 +64,11 @@ impl Finishing {
         if !search.is_done() {
             return Stage::Search(target);
         }
-        let found = search.clone().finish().spline;
-        if found.wild_piece(data, target).is_none() {
-            self.spline = Some(found);
-        } else {
+        let found = search.clone().finish();
+        if found.is_wild(data) {
             self.search = None;
+        } else {
+            self.spline = Some(found.spline);
         }
         Stage::Done
     }
@@ -180,7 +180,7 @@ impl Fitter {
         let target = finishing.solution.data_term.max(fitted.squares());
         let spline = Spline::of(&fitted);
         // The price is what holds a curve where its knots are nearly as many as the points.
-        if spline.wild_piece(&self.located, target).is_none() {
+        if spline.wild_piece(&self.located, fitted.squares()).is_none() {
             let (count, before) = self.size_of(&finishing.solution);
             finishing.changes.push(Changed {
                 step: "debias",

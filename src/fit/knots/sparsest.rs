@@ -20,9 +20,8 @@ use super::breaks::Breaks;
 use super::foot_points::{Distances, Spline};
 use super::free_knots::{FreeKnots, Located};
 use super::search::{Price, better, settle, thinner};
-use super::stray::WIDEST;
+use super::stray::{Leash, WIDEST};
 use crate::fit::outcome::FitStatus;
-use crate::fit::report::weight;
 
 /// How many times the price rises at once where points are many, and how many of these go back when that was too much.
 const LEAP: f64 = 16.0;
@@ -102,8 +101,12 @@ pub(in crate::fit) struct Found {
 impl Found {
     /// Whether it swings far from points that are noisy by so much: of points in no order hardly any lie between two knots, and nothing holds it.
     fn swings(&self, noise: f64) -> bool {
-        let squares = noise * noise * weight(&self.located);
-        self.wild.is_some() && self.spline.wild_piece(&self.located, squares).is_some()
+        self.wild.is_some() && self.spline.strays(&self.located, Leash::wide(&self.located, noise)).is_some()
+    }
+
+    /// Whether it swings away from these points for what it is off them.
+    pub(in crate::fit) fn is_wild(&self, data: &Located) -> bool {
+        self.spline.wild_piece(data, self.distances.squares).is_some()
     }
 }
 

@@ -11,11 +11,16 @@ const LOOKS: usize = 8;
 /// Steps that pull a curve back.
 const MOST_STEPS: usize = 4;
 
-/// How far from the way of the points a curve may be, in standard deviations of the noise, or in what points are off on average.
+/// How far from the way of the points a curve may be, in standard deviations of the noise.
 pub(super) const WIDEST: f64 = 4.0;
+/// What no knots are to be had for does no harm by such a part of the drawing.
+const HARMLESS: f64 = 0.1;
 
-/// What is no farther from that way than such a part of the drawing does no harm.
-const SWING: f64 = 0.1;
+/// How far a curve may be of which the sum of squares is all that is known: so many times what its own points are off on average, such a
+/// part of the drawing, and of the distances of the points around. (D 13.16)
+const OFF: f64 = 2.0;
+const SWING: f64 = 0.02;
+const SHARE: f64 = 0.25;
 
 /// How far from the lines between points a curve may be: so much, and this share of the distances of the points around, for
 /// so far off a corner between two of them may be.
@@ -25,11 +30,18 @@ pub(super) struct Leash {
     pub(super) share: f64,
 }
 
+impl Leash {
+    /// The widest, for points that are noisy by so much.
+    pub(super) fn wide(data: &Located, noise: f64) -> Self {
+        Self { slack: WIDEST * noise + HARMLESS * size_of(&data.points), share: 1.0 }
+    }
+}
+
 impl Spline {
-    /// A piece on which a curve that is off its points by this sum of squares swings far from their way: few points do not hold it between them.
+    /// A piece on which a curve that is off its points by this sum of squares swings away from them: few points do not hold it between them.
     pub(in crate::fit) fn wild_piece(&self, data: &Located, squares: f64) -> Option<usize> {
-        let slack = WIDEST * (squares / weight(data)).sqrt() + SWING * size_of(&data.points);
-        self.strays(data, Leash { slack, share: 1.0 })
+        let slack = OFF * (squares / weight(data)).sqrt() + SWING * size_of(&data.points);
+        self.strays(data, Leash { slack, share: SHARE })
     }
 
     /// A piece on which the curve leaves the way of the points. O(M log M).

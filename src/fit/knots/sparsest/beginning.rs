@@ -11,6 +11,7 @@ use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::polyline::Fewest;
 use crate::fit::knots::rounded::{Rounds, rounded};
 use crate::fit::knots::search::{Price, least};
+use crate::fit::knots::stray::Leash;
 use crate::fit::knots::{polyline, start};
 use crate::fit::outcome::FitStatus;
 use crate::numerics::angle::sin_cos;
@@ -232,7 +233,8 @@ impl Sparsest {
         at.drain(..spare);
         let breaks = Breaks { multiplicity: vec![1; at.len()], at, ..bare };
         let mut search = Self::pruning(full.copied()?, breaks, target, self.asked.noise);
-        let wild = Spline::of(&search.fitted).wild_piece(full, target);
+        // It is held by every point: what it swings is what was asked for.
+        let wild = Spline::of(&search.fitted).strays(full, Leash::wide(full, 0.0));
         search.keep_by_squares(wild);
         Ok(Some(search))
     }

@@ -29,7 +29,7 @@ impl Sparsest {
         let trials = hopes(fitted.breaks(), &fitted.removals(), dear, self.trials());
         let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
         let trial = settle(FreeKnots::new(breaks, &self.view.seen), &self.view.seen, 1e-4 * target, 12);
-        if trial.squares > target || Spline::of(&trial).wild_piece(&self.view.full, target).is_some() {
+        if trial.squares > target || Spline::of(&trial).wild_piece(&self.view.full, trial.squares).is_some() {
             return Phase::Last(next + 1);
         }
         self.fitted = trial;

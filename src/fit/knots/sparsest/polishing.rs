@@ -136,10 +136,10 @@ impl Sparsest {
 
     /// Goes on with a higher price while the sum of squares is small enough.
     pub(super) fn weigh(&mut self, target: f64) -> Phase {
-        let kept = self.found.as_ref().is_some_and(|found| found.distances.squares <= target);
-        let small = self.fitted.squares <= target;
-        let wild = Spline::of(&self.fitted).wild_piece(&self.view.full, target);
-        if !kept || small && wild.is_none() {
+        let found = self.found.as_ref().map_or(f64::INFINITY, |found| found.distances.squares);
+        let (kept, small) = (found <= target, self.fitted.squares <= target);
+        let wild = Spline::of(&self.fitted).wild_piece(&self.view.full, self.fitted.squares);
+        if small && wild.is_none() || !kept && self.fitted.squares < found {
             self.keep_by_squares(wild);
         }
         let breaks = self.fitted.breaks();
