@@ -57,7 +57,7 @@ for (const key of ["Escape", "Control+z"]) {
       await demo.page.mouse.up();
       await demo.idle();
       assert.deepEqual(await standing(demo, id), before, `${id} after the release`);
-      // The next drag is one as any other.
+      // The next drag is like the first.
       await dragBy(demo, id, part);
       await demo.page.mouse.up();
       await demo.idle();
