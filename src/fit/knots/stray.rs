@@ -13,7 +13,7 @@ const MOST_STEPS: usize = 4;
 
 /// How far from the way of the points a curve may be, in standard deviations of the noise.
 pub(super) const WIDEST: f64 = 4.0;
-/// What no knots are to be had for does no harm by such a part of the drawing.
+/// What is no farther from that way than such a part of the drawing does no harm.
 const HARMLESS: f64 = 0.1;
 
 /// How far a curve may be of which the sum of squares is all that is known: so many times what its own points are off on average, such a
