@@ -1,4 +1,4 @@
-import { createDesk, createWaiters, type LossCode } from "../worker-desk.ts";
+import { createDesk, createWaiters, type Desk, type LossCode } from "../worker-desk.ts";
 import type { FitAnswer, FitRequest, FitStrength, FitSubject, PlainFit } from "./job.ts";
 
 /**
@@ -43,96 +43,110 @@ interface Asked {
 }
 
 export function createFitClient(start: () => Worker, handlers: FitHandlers): FitClient {
-  let subject = 0;
-  let known: FitSubject | null = null;
-  let serial = 0;
-  let running: Asked | null = null;
-  let waiting: Asked | null = null;
-  let retried = 0;
-  const desk = createDesk<FitRequest, FitAnswer>(start, { receive, died: replace });
-  const { post } = desk;
-  const { idle, settle } = createWaiters(() => running === null && waiting === null);
+  return new Client(start, handlers);
+}
 
-  /** The next worker has to be told what is fitted. */
-  function dismiss(): void {
-    desk.dismiss();
-    known = null;
+class Client implements FitClient {
+  readonly #handlers: FitHandlers;
+  readonly #desk: Desk<FitRequest>;
+  readonly #waiters = createWaiters(() => this.#running === null && this.#waiting === null);
+  /** What the worker has been told that is fitted, and its number. */
+  #known: FitSubject | null = null;
+  #subject = 0;
+  #serial = 0;
+  #running: Asked | null = null;
+  #waiting: Asked | null = null;
+  /** The request that was under way when the last worker died. */
+  #retried = 0;
+
+  constructor(start: () => Worker, handlers: FitHandlers) {
+    this.#handlers = handlers;
+    this.#desk = createDesk<FitRequest, FitAnswer>(start, { receive: (answer) => this.#receive(answer), died: (code, message) => this.#replace(code, message) });
   }
 
-  /** A dead worker's request is tried once more in a new one. Where it only filled the chart, the fit that is shown stands. */
-  function replace(code: LossCode, message: string): void {
-    dismiss();
-    const lost = waiting ?? running;
-    running = null;
-    waiting = null;
-    // What never began is not restarted.
-    if (code === "E_WORKER") handlers.restarted();
-    if (lost === null) return settle();
-    if (lost.id !== retried) {
-      retried = lost.id;
-      begin(lost);
-    } else {
-      handlers.failed(code, message);
-      settle();
-    }
+  get busy(): boolean {
+    return this.#running !== null;
+  }
+
+  fit(what: FitSubject, strength: FitStrength, live: boolean): void {
+    this.#serial += 1;
+    const asked = { id: this.#serial, strength, live, what };
+    if (this.#running === null) return this.#begin(asked);
+    // A step of a drag waits for the one before, so that something is always to be seen; a settled request does not wait.
+    this.#waiting = asked;
+    if (!live || this.#running.what !== what) this.#desk.post({ kind: "stop" });
+  }
+
+  chart(what: FitSubject, at: readonly number[]): void {
+    if (this.#running !== null) return;
+    this.#tell(what);
+    this.#desk.post({ kind: "chart", subject: this.#subject, at });
+  }
+
+  cancel(): void {
+    this.#waiting = null;
+    // With nothing under way it is the chart that stops.
+    if (this.#desk.staffed) this.#desk.post({ kind: "stop" });
+  }
+
+  idle(): Promise<void> {
+    return this.#waiters.idle();
+  }
+
+  #begin(asked: Asked): void {
+    this.#running = asked;
+    this.#tell(asked.what);
+    this.#desk.post({ kind: "fit", subject: this.#subject, id: asked.id, strength: asked.strength, live: asked.live });
   }
 
   /** Says what is fitted, if it was something else before. */
-  function tell(what: FitSubject): void {
-    if (known === what) return;
-    known = what;
-    subject += 1;
-    post({ kind: "subject", subject, what });
+  #tell(what: FitSubject): void {
+    if (this.#known === what) return;
+    this.#known = what;
+    this.#subject += 1;
+    this.#desk.post({ kind: "subject", subject: this.#subject, what });
   }
 
-  function begin(asked: Asked): void {
-    running = asked;
-    tell(asked.what);
-    post({ kind: "fit", subject, id: asked.id, strength: asked.strength, live: asked.live });
-  }
-
-  function receive(answer: FitAnswer): void {
+  #receive(answer: FitAnswer): void {
     if (answer.kind === "chart") {
-      if (answer.subject === subject && running === null) handlers.chart(answer);
+      if (answer.subject === this.#subject && this.#running === null) this.#handlers.chart(answer);
       return;
     }
-    if (running === null || answer.id !== running.id) return;
-    if (answer.kind === "progress") return handlers.progress(answer.value);
-    const [done, next] = [running, waiting];
-    running = waiting = null;
+    if (this.#running === null || answer.id !== this.#running.id) return;
+    if (answer.kind === "progress") return this.#handlers.progress(answer.value);
+    const [done, next] = [this.#running, this.#waiting];
+    this.#running = this.#waiting = null;
     // An engine that did not start is started anew with the next request.
-    if (answer.kind === "failed" && answer.code === "E_INIT") dismiss();
+    if (answer.kind === "failed" && answer.code === "E_INIT") this.#dismiss();
     // Before anybody hears of the one that is done: whoever asks then whether there is more to come is told.
-    if (next !== null) begin(next);
-    if (answer.kind === "fitted") handlers.fitted(answer.fits, done.what, answer.ms, done.strength);
+    if (next !== null) this.#begin(next);
+    if (answer.kind === "fitted") this.#handlers.fitted(answer.fits, done.what, answer.ms, done.strength);
     else if (next !== null) return;
-    else if (answer.kind === "failed") handlers.failed(answer.code, answer.message);
-    else handlers.stopped();
-    settle();
+    else if (answer.kind === "failed") this.#handlers.failed(answer.code, answer.message);
+    else this.#handlers.stopped();
+    this.#waiters.settle();
   }
 
-  return {
-    get busy() {
-      return running !== null;
-    },
-    fit(what, strength, live) {
-      serial += 1;
-      const asked = { id: serial, strength, live, what };
-      if (running === null) return begin(asked);
-      // A step of a drag waits for the one before, so that something is always to be seen; a settled request does not wait.
-      waiting = asked;
-      if (!live || running.what !== what) post({ kind: "stop" });
-    },
-    chart(what, at) {
-      if (running !== null) return;
-      tell(what);
-      post({ kind: "chart", subject, at });
-    },
-    cancel() {
-      waiting = null;
-      // With nothing under way it is the chart that stops.
-      if (desk.staffed) post({ kind: "stop" });
-    },
-    idle,
-  };
+  /** A dead worker's request is tried once more in a new one. Where it only filled the chart, the fit that is shown stands. */
+  #replace(code: LossCode, message: string): void {
+    this.#dismiss();
+    const lost = this.#waiting ?? this.#running;
+    this.#running = this.#waiting = null;
+    // What never began is not restarted.
+    if (code === "E_WORKER") this.#handlers.restarted();
+    if (lost === null) return this.#waiters.settle();
+    if (lost.id !== this.#retried) {
+      this.#retried = lost.id;
+      this.#begin(lost);
+    } else {
+      this.#handlers.failed(code, message);
+      this.#waiters.settle();
+    }
+  }
+
+  /** The next worker has to be told what is fitted. */
+  #dismiss(): void {
+    this.#desk.dismiss();
+    this.#known = null;
+  }
 }
