@@ -6,7 +6,7 @@ export { ExplineError } from "./core/error.js";
 export type { ErrorCode, ErrorDetails } from "./core/error.js";
 export type { MatrixLike, PointsLike, SpacePointsLike } from "./core/arguments.js";
 export type { Space } from "./core/curve-data.js";
-export type { Bounds, Curve, Ellipse, Nearest, PathOptions } from "./core/curve.js";
+export type { Bounds, Curve, Ellipse, Nearest, PathOptions } from "./core/contract.js";
 export { HermiteCurve } from "./core/hermite-curve.js";
 export type { EllipseOptions, HermiteCurveJSON, HermiteCurveOptions } from "./core/hermite-curve.js";
 export { HermiteGenerators } from "./core/hermite-generators.js";
