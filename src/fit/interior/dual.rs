@@ -52,6 +52,14 @@ fn shift_by_degree(degree: usize, state: &mut State, step: f64) {
     }
 }
 
+/// The state a step further, where the integral from zero over that step ends in `own`.
+fn advance(degree: usize, state: &mut State, step: f64, own: &State) {
+    shift_by_degree(degree, state, step);
+    for (term, own) in state.iter_mut().zip(own) {
+        *term += own;
+    }
+}
+
 /// One component's residuals and places.
 struct Walk<'a> {
     data: &'a Scaled,
@@ -122,6 +130,23 @@ impl Walk<'_> {
         }
     }
 
+    /// The place that ends the piece after knot k: the next knot, or the end of the domain.
+    fn end_of_piece(&self, chosen: &[usize], k: usize) -> usize {
+        let last = if self.data.closed { chosen[0] } else { self.component.grid.len() };
+        chosen.get(k + 1).copied().unwrap_or(last)
+    }
+
+    /// How long the piece after knot k is.
+    fn spacing(&self, chosen: &[usize], k: usize) -> f64 {
+        let grid = &self.component.grid;
+        let from = grid[chosen[k]];
+        match chosen.get(k + 1) {
+            Some(&next) => grid[next] - from,
+            None if self.data.closed => grid[chosen[0]] + self.data.length - from,
+            None => self.data.length - from,
+        }
+    }
+
     fn start_by_degree(&self, state: &mut State) {
         match self.component.degree {
             1 => self.start::<1>(state),
@@ -149,11 +174,7 @@ pub(crate) fn dual_curve(
     if places == 0 {
         return;
     }
-    let mut factor = if degree.is_multiple_of(2) { -2.0 } else { 2.0 } / component.lambda;
-    for i in 2..=degree {
-        factor /= i as f64;
-    }
-    let walk = Walk { data, component, weighted, factor };
+    let walk = Walk { data, component, weighted, factor: factor(component) };
     let knots = chosen.len();
     if data.closed && knots <= degree {
         around(&walk, chosen, known, eta);
@@ -161,58 +182,49 @@ pub(crate) fn dual_curve(
     }
     let mut ends: Vec<State> = Vec::with_capacity(knots + 1);
     for (k, &from) in chosen.iter().enumerate() {
-        let to = chosen.get(k + 1).copied().unwrap_or(if data.closed { chosen[0] } else { places });
-        ends.push(walk.run_by_degree(from, to, eta));
+        ends.push(walk.run_by_degree(from, walk.end_of_piece(chosen, k), eta));
     }
-    let spacing = |k: usize| {
-        let from = component.grid[chosen[k]];
-        match chosen.get(k + 1) {
-            Some(&next) => component.grid[next] - from,
-            None if data.closed => component.grid[chosen[0]] + data.length - from,
-            None => data.length - from,
-        }
-    };
-    // Open: from the start to the first knot, straight on.
-    let mut state = ZERO;
-    if !data.closed {
-        let to = chosen.first().copied().unwrap_or(places);
-        walk.start_by_degree(&mut state);
-        if to > 0 {
-            let own = walk.run_by_degree(0, to, eta);
-            add_polynomial(data, component, 0, to, &state, eta);
-            let end = component.grid.get(to).copied().unwrap_or(data.length);
-            shift_by_degree(degree, &mut state, end - component.grid[0]);
-            for (term, own) in state.iter_mut().zip(own) {
-                *term += own;
-            }
-        }
-    }
+    let mut state = if data.closed { ZERO } else { lead_in(&walk, chosen, eta) };
     for k in 0..knots {
         let correction = if !data.closed && k + 1 == knots {
             // η ends with the domain: the state there is zero.
             let mut state = ends[k].map(|v| -v);
-            shift_by_degree(degree, &mut state, -spacing(k));
+            shift_by_degree(degree, &mut state, -walk.spacing(chosen, k));
             state
         } else if knots > degree {
-            let back = (degree - 1) / 2;
-            let first = if data.closed {
-                (k + knots - back) % knots
-            } else {
-                k.saturating_sub(back).min(knots - 1 - degree)
-            };
-            window(degree, knots, first, k, known, &ends, &spacing)
+            window(&walk, chosen, k, known, &ends)
         } else {
             state
         };
         if knots <= degree {
-            shift_by_degree(degree, &mut state, spacing(k));
-            for (term, end) in state.iter_mut().zip(&ends[k]) {
-                *term += end;
-            }
+            advance(degree, &mut state, walk.spacing(chosen, k), &ends[k]);
         }
-        let to = chosen.get(k + 1).copied().unwrap_or(if data.closed { chosen[0] } else { places });
-        add_polynomial(data, component, chosen[k], to, &correction, eta);
+        add_polynomial(data, component, chosen[k], walk.end_of_piece(chosen, k), &correction, eta);
     }
+}
+
+/// (−1)ᵃ⁺¹ 2 / λ, and the factorial that makes a derivative a Taylor coefficient.
+fn factor(component: &ScaledComponent) -> f64 {
+    let mut factor = if component.degree.is_multiple_of(2) { -2.0 } else { 2.0 } / component.lambda;
+    for i in 2..=component.degree {
+        factor /= i as f64;
+    }
+    factor
+}
+
+/// From the start of an open domain, where η is zero, to the first knot: leaves η on the way and answers the state there.
+fn lead_in(walk: &Walk<'_>, chosen: &[usize], eta: &mut [Vector]) -> State {
+    let grid = &walk.component.grid;
+    let to = chosen.first().copied().unwrap_or(grid.len());
+    let mut state = ZERO;
+    walk.start_by_degree(&mut state);
+    if to > 0 {
+        let own = walk.run_by_degree(0, to, eta);
+        add_polynomial(walk.data, walk.component, 0, to, &state, eta);
+        let end = grid.get(to).copied().unwrap_or(walk.data.length);
+        advance(walk.component.degree, &mut state, end - grid[0], &own);
+    }
+    state
 }
 
 /// A closed η known at no more knots than its degree: once round from zero, then the polynomial that closes it.
@@ -225,10 +237,7 @@ fn around(walk: &Walk<'_>, chosen: &[usize], known: &[Vector], eta: &mut [Vector
     let mut closing = vec![Vector::zeros(); component.grid.len()];
     let rest = walk.run_by_degree(last, 0, &mut closing);
     eta[last] = end[0];
-    shift_by_degree(degree, &mut end, component.grid[0] + data.length - component.grid[last]);
-    for (term, own) in end.iter_mut().zip(rest) {
-        *term += own;
-    }
+    advance(degree, &mut end, component.grid[0] + data.length - component.grid[last], &rest);
     let mut state = ZERO;
     for j in (1..=degree).rev() {
         let (mut sum, mut power) = (end[j - 1], data.length);
@@ -282,16 +291,16 @@ fn add_polynomial(
 }
 
 /// The state at knot k of the polynomial that makes the integrated η take its known values at the degree + 1 knots
-/// from `first` on.
-fn window(
-    degree: usize,
-    knots: usize,
-    first: usize,
-    k: usize,
-    known: &[Vector],
-    ends: &[State],
-    spacing: &dyn Fn(usize) -> f64,
-) -> State {
+/// around.
+fn window(walk: &Walk<'_>, chosen: &[usize], k: usize, known: &[Vector], ends: &[State]) -> State {
+    let degree = walk.component.degree;
+    let knots = chosen.len();
+    let back = (degree - 1) / 2;
+    let first = if walk.data.closed {
+        (k + knots - back) % knots
+    } else {
+        k.saturating_sub(back).min(knots - 1 - degree)
+    };
     let mut places = [0.0; TERMS];
     let mut missing = ZERO;
     let mut state = ZERO;
@@ -303,12 +312,9 @@ fn window(
         }
         missing[i] = known[knot] - state[0];
         if i < degree {
-            let step = spacing(knot);
+            let step = walk.spacing(chosen, knot);
             places[i + 1] = places[i] + step;
-            shift_by_degree(degree, &mut state, step);
-            for (term, end) in state.iter_mut().zip(&ends[knot]) {
-                *term += end;
-            }
+            advance(degree, &mut state, step, &ends[knot]);
             knot = if knot + 1 == knots { 0 } else { knot + 1 };
         }
     }

@@ -6,7 +6,7 @@ use super::reduced::Reduced;
 use crate::fit::convex::scaled::Scaled;
 use crate::numerics::Vector;
 
-/// Where jumps are not wanted more accurately than this, rounding does not matter.
+/// From this tolerance of jumps on rounding does not matter.
 const ROUGH: f64 = 1e-5;
 /// The most steps of Newton's method on one set.
 const MOST_NEWTON: usize = 5;
@@ -30,8 +30,8 @@ pub(super) struct Newton {
     pub(super) settled: bool,
 }
 
-/// How accurate jumps have to be for a gap: an error of δ in their directions costs about δ² of the objective.
-pub(super) fn accuracy(gap: f64) -> f64 {
+/// The tolerance of jumps for a gap: directions that are off by δ cost about δ² of the objective.
+pub(super) fn tolerance_of_jumps(gap: f64) -> f64 {
     (0.03 * gap.sqrt()).max(1e-13)
 }
 
@@ -40,9 +40,15 @@ pub(super) fn turned(after: &[Vector], before: &[Vector]) -> usize {
     after.iter().zip(before).filter(|(a, b)| dot(**a, **b).is_nan() || dot(**a, **b) <= 0.0).count()
 }
 
-/// Newton's method for the objective on fixed knots, from directions and lengths of their jumps.
+/// Newton's method for the objective on fixed knots, from directions and lengths of their jumps, until a step changes
+/// none by more than a share `tolerance` of itself.
 #[inline(never)]
-pub(super) fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], accuracy: f64) -> Option<Newton> {
+pub(super) fn newton(
+    data: &Scaled,
+    mut reduced: Reduced,
+    start: &[Vector],
+    tolerance: f64,
+) -> Option<Newton> {
     let lambdas = reduced.lambdas(data);
     let mut jumps = start.to_vec();
     let (mut unknowns, mut line, mut forces, mut metrics) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
@@ -66,7 +72,7 @@ pub(super) fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], accu
         }
         let before = change;
         change = next.iter().zip(&jumps).fold(0.0_f64, |most, (a, b)| most.max(norm(a - b) / norm(*a)));
-        settled = change < accuracy || (change < 1e-9 && change >= before) || turned(&next, start) > 0;
+        settled = change < tolerance || (change < 1e-9 && change >= before) || turned(&next, start) > 0;
         if settled {
             break;
         }
@@ -75,7 +81,7 @@ pub(super) fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], accu
     // Stiff systems leave residuals; what they leave is solved for again.
     let mut weighted = vec![Vector::zeros(); data.t.len()];
     let (mut rest, mut pull, mut forces_of_elements) = (Vec::new(), Vec::new(), Vec::new());
-    for _ in 0..if accuracy > ROUGH { 0 } else { 1 } {
+    for _ in 0..if tolerance > ROUGH { 0 } else { 1 } {
         let _ = reduced.residuals(data, &unknowns, &mut weighted, &mut forces_of_elements);
         reduced.gradient(&forces_of_elements, &mut rest);
         pull.clear();

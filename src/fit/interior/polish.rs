@@ -7,7 +7,7 @@
 use super::active_set::{ActiveSet, Knots};
 use super::cone::{dot, norm};
 use super::dual::dual_curve;
-use super::fixed_knots::{Fixed, Newton, accuracy, newton, turned};
+use super::fixed_knots::{Fixed, Newton, newton, tolerance_of_jumps, turned};
 use super::iterate::measure;
 use super::reduced::{Part, Reduced};
 use super::run::Run;
@@ -76,7 +76,7 @@ impl Run {
         most: usize,
         on_the_way: bool,
     ) -> Result<Option<(Fixed, Vec<Vec<Vector>>)>> {
-        let accuracy = accuracy(self.settings.gap);
+        let tolerance = tolerance_of_jumps(self.settings.gap);
         let mut best: Option<(Fixed, Vec<Vec<Vector>>)> = None;
         let mut known = self.iterate.reduced.elements.clone();
         for _ in 0..most {
@@ -84,7 +84,7 @@ impl Run {
             let start = active.jumps();
             let reduced = Reduced::new(&self.data, active.places(), &known)?;
             known.clone_from(&reduced.elements);
-            let Some(newton) = newton(&self.data, reduced, &start, accuracy) else { break };
+            let Some(newton) = newton(&self.data, reduced, &start, tolerance) else { break };
             let turned = turned(&newton.jumps, &start);
             // Where many of the knots that were singled out on a fine grid are none, others are missing as well.
             let many = start.len() > FEW && MOST_TURNED * turned > start.len();

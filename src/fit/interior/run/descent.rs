@@ -10,7 +10,7 @@ use super::Run;
 use crate::error::Result;
 use crate::fit::convex::solution::Status;
 use crate::fit::interior::active_set::ActiveSet;
-use crate::fit::interior::fixed_knots::{Fixed, accuracy, newton};
+use crate::fit::interior::fixed_knots::{Fixed, newton, tolerance_of_jumps};
 use crate::fit::interior::reduced::Reduced;
 use crate::numerics::Vector;
 
@@ -106,7 +106,9 @@ impl Run {
         let start = active.jumps();
         let reduced = Reduced::new(&self.data, active.places(), &self.iterate.reduced.elements)?;
         descent.work += reduced.work();
-        let Some(newton) = newton(&self.data, reduced, &start, accuracy(gap)) else { return Ok(true) };
+        let Some(newton) = newton(&self.data, reduced, &start, tolerance_of_jumps(gap)) else {
+            return Ok(true);
+        };
         if active.leave_first(&start, &newton.jumps) {
             return Ok(false);
         }
