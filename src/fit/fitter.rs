@@ -3,17 +3,16 @@
 mod asking;
 mod description;
 mod finishing;
+mod starting;
 
 use self::asking::Purpose;
 use self::description::best_of;
 use self::finishing::Finishing;
-use super::convex::problem::{Component, Problem, interpolating_grid, uniform_grid};
+use super::convex::problem::Problem;
 use super::convex::solution::Status;
-use super::corners::corners;
-use super::interior::settings::{GLIMPSE, Settings};
 use super::interior::solver::Solver;
 use super::knots::free_knots::Located;
-use super::knots::sparsest::{Aim, Plan, Sparsest};
+use super::knots::sparsest::{Aim, Sparsest};
 use super::noise::levels;
 use super::options::{Ask, Finish, Options};
 use super::outcome::Fit;
@@ -22,16 +21,9 @@ use super::report;
 use super::samples::{PER_POINT, Samples};
 use super::smooth::is_smooth;
 use crate::error::{Error, Result};
-use crate::limits::{self, LARGEST_LAMBDA};
+use crate::limits;
 use crate::numerics::Point;
 use crate::numerics::order::{sort_by_number, sort_numbers};
-
-/// So many iterations the solver has, where nobody says how many.
-const MOST_ITERATIONS: usize = 400;
-/// More points than this are not fitted a second time with knots that all count twice.
-const MOST_TWICE: usize = 2000;
-/// More points than this have a curve through them only on a grid that is asked for.
-const MOST_THROUGH: usize = 50_000;
 
 /// Whether a mean square may be asked for: the bindings of the package never do.
 const BY_SQUARES: bool = !cfg!(feature = "wasm-fit");
@@ -181,121 +173,6 @@ impl Fitter {
         self.samples.closed
     }
 
-    fn solve(&mut self) -> Result<()> {
-        let factor = |degree: usize| libm::pow(self.unit, -(degree as f64)) / self.samples.scale;
-        let degrees = &self.options.degrees;
-        let closed = self.samples.closed;
-        let count = self.located.points.len();
-        // On a grid that is finer than the points nothing says where knots are to be that cost nothing.
-        let coarse = self.options.grid_size.filter(|size| !(self.is_free() && *size > count));
-        let through = self.is_free() && coarse.is_none() && count <= MOST_THROUGH;
-        let size = |degree: usize| {
-            let chosen = if degree == 1 { count.min(5000) } else { count.min(2000) };
-            coarse.unwrap_or(chosen).max(degree + 2)
-        };
-        let lambdas: Vec<f64> =
-            degrees.iter().zip(&self.lambdas).map(|(&d, l)| (l * factor(d)).min(LARGEST_LAMBDA)).collect();
-        let grid = |degree: usize| {
-            let places = if through {
-                interpolating_grid(degree, &self.located.parameters, 0.0, self.end, closed)
-            } else {
-                Vec::new()
-            };
-            // Too few different parameters leave an even grid.
-            if places.len() >= degree + 2 {
-                places
-            } else {
-                uniform_grid(degree, size(degree), 0.0, self.end, closed)
-            }
-        };
-        let same = through == self.through && !through;
-        self.through = through;
-        if let Some(mut solver) = self.warm.take()
-            && same
-        {
-            // What is to be seen at once begins where the last curve ended; what is to stay is the same whatever came before.
-            if self.options.gap >= GLIMPSE {
-                solver.set_lambdas(&lambdas)?;
-            } else {
-                *solver = solver.anew(&lambdas)?;
-            }
-            if let Some(problem) = &mut self.problem {
-                problem.components.iter_mut().zip(&lambdas).for_each(|(c, &lambda)| c.lambda = lambda);
-            }
-            self.run = Run::Convex(solver);
-            return Ok(());
-        }
-        let components = degrees
-            .iter()
-            .zip(&lambdas)
-            .map(|(&degree, &lambda)| Component { degree, lambda, grid: grid(degree) })
-            .collect();
-        let problem = Problem {
-            points: self.located.points.clone(),
-            parameters: self.located.parameters.clone(),
-            weights: self.located.weights.clone(),
-            start: 0.0,
-            end: self.end,
-            closed,
-            components,
-            norm: self.options.norm,
-        };
-        let most_iterations = self.options.most_iterations.unwrap_or(MOST_ITERATIONS);
-        let settings = Settings { gap: self.options.gap, most_iterations };
-        self.run = Run::Convex(Box::new(Solver::new(&problem, settings)?));
-        self.problem = Some(problem);
-        Ok(())
-    }
-
-    #[inline(never)]
-    fn search(&mut self, aim: Aim, cornered: bool) -> Result<()> {
-        let degree = self.options.degrees.last().copied().unwrap_or(3);
-        let sharpest = match aim {
-            Aim::Squares(_) => 1,
-            _ if cornered => degree,
-            _ => (degree - 1).max(1),
-        };
-        let plan = |smoothest: usize| Plan {
-            degree,
-            sharpest,
-            smoothest,
-            closed: self.samples.closed,
-            least_turn: self.options.least_turn,
-            end: self.end,
-            spaced: self.even,
-            free: false,
-            timed: !self.options.parameters.is_empty(),
-        };
-        if self.own.is_empty() && self.located_for == Some(Purpose::Clicks) {
-            let smooth = Plan { sharpest: degree - 1, ..plan(1) };
-            let corners = corners(&self.samples);
-            let search =
-                Sparsest::between_corners(self.located.copied()?, smooth, aim, self.level, &corners)?;
-            self.run = Run::Search(vec![search]);
-            return Ok(());
-        }
-        let start = |located: &Located, smoothest| -> Result<Sparsest> {
-            Ok(Sparsest::new(located.copied()?, plan(smoothest), aim, self.level))
-        };
-        // Knots that all count twice often get by with fewer of them.
-        let mut others = Vec::new();
-        if matches!(aim, Aim::Tolerance(_)) && sharpest > 1 && self.located.points.len() <= MOST_TWICE {
-            others.push(start(&self.located, 2)?);
-        }
-        // Points are free to slide while smooth knots are thinned out; where they are even they are placed along the curve then.
-        let free = degree > 1 && matches!(aim, Aim::Noise(_));
-        let smooth = Plan { free, ..plan(1) };
-        let mut rivals = vec![Sparsest::new(self.located.copied()?, smooth, aim, self.level)];
-        if cornered {
-            let corners = Sparsest::from_corners(self.located.copied()?, plan(1), aim, self.level)?;
-            let few = self.located.points.len() <= MOST_TWICE || aim.is_fine();
-            let apart = matches!(aim, Aim::Tolerance(_)) && few;
-            if apart { others.extend(corners) } else { rivals.extend(corners) }
-        }
-        self.run = Run::Choice(rivals, others);
-        Ok(())
-    }
-
     /// Takes the run further by about `budget` microseconds' worth of work, at least by one round.
     ///
     /// A round is a few passes over the points: of 400,000 points of a noisy circle .15 s at most where λ is given, natively.
@@ -347,37 +224,13 @@ impl Fitter {
                 }
             }
             Run::Search(searches) => {
-                if let Some(next) = searches.iter().position(|search| !search.is_done()) {
-                    searches[next].step();
-                    self.rounds += 1;
-                    done = next + 1 == searches.len() && searches[next].is_done();
-                }
+                done = go_on(searches, &mut self.rounds)?;
                 iteration = self.rounds;
-                if done && searches.iter().all(|search| search.missed().is_some()) {
-                    done = searches[0].resort_to_polyline()?;
-                }
-                if BY_SQUARES
-                    && done
-                    && searches.len() == 1
-                    && let Some(search) = searches[0].through_all_points()?
-                {
-                    searches.push(search);
-                    done = false;
-                }
             }
             Run::Choice(rivals, others) => {
                 done = false;
-                match rivals.iter_mut().find(|search| !search.is_thinned()) {
-                    Some(search) => {
-                        search.step();
-                        self.rounds += 1;
-                    }
-                    None => {
-                        sort_by_number(rivals, &|rival| rival.cost());
-                        rivals.truncate(1);
-                        rivals.append(others);
-                        self.run = Run::Search(core::mem::take(rivals));
-                    }
+                if let Some(chosen) = choose(rivals, others, &mut self.rounds) {
+                    self.run = Run::Search(chosen);
                 }
                 iteration = self.rounds;
             }
@@ -416,4 +269,43 @@ impl Fitter {
             result => result,
         }
     }
+}
+
+/// A round of the first search that is not done; answers whether all are.
+fn go_on(searches: &mut Vec<Sparsest>, rounds: &mut usize) -> Result<bool> {
+    let mut done = true;
+    if let Some(next) = searches.iter().position(|search| !search.is_done()) {
+        searches[next].step();
+        *rounds += 1;
+        done = next + 1 == searches.len() && searches[next].is_done();
+    }
+    if done && searches.iter().all(|search| search.missed().is_some()) {
+        done = searches[0].resort_to_polyline()?;
+    }
+    if BY_SQUARES
+        && done
+        && searches.len() == 1
+        && let Some(search) = searches[0].through_all_points()?
+    {
+        searches.push(search);
+        done = false;
+    }
+    Ok(done)
+}
+
+/// A round of the first rival that has needless knots; where none has any, the cheapest of them, and the others.
+fn choose(
+    rivals: &mut Vec<Sparsest>,
+    others: &mut Vec<Sparsest>,
+    rounds: &mut usize,
+) -> Option<Vec<Sparsest>> {
+    if let Some(search) = rivals.iter_mut().find(|search| !search.is_thinned()) {
+        search.step();
+        *rounds += 1;
+        return None;
+    }
+    sort_by_number(rivals, &|rival| rival.cost());
+    rivals.truncate(1);
+    rivals.append(others);
+    Some(core::mem::take(rivals))
 }

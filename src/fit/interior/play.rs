@@ -12,18 +12,38 @@ use crate::numerics::Vector;
 impl Run {
     /// Puts the places where the dual curve is longest into play.
     pub(crate) fn insert_knots(&mut self) -> Result<()> {
+        let Some(sets) = self.longest_places() else { return Ok(()) };
+        let old = &self.iterate;
+        let mut reduced = Reduced::new(&self.data, sets, &old.reduced.elements)?;
+        let unknowns = transfer(&old.reduced, &mut reduced, &old.unknowns);
+        let mut cones = self.cones_of(&reduced)?;
+        let mut jumps = Vec::new();
+        reduced.jumps(&unknowns, &mut jumps);
+        for (pair, jump) in cones.iter_mut().zip(&jumps) {
+            pair.s.plane = *jump;
+            let least = norm(pair.s.plane) * (1.0 + 1e-12);
+            pair.s.height = pair.s.height.max(least);
+        }
+        // The same curve, seen from other elements.
+        let moments = &mut self.buffers.element_forces;
+        let _ = reduced.residuals(&self.data, &unknowns, &mut self.weighted, moments);
+        self.iterate = Iterate { reduced, unknowns, jumps, cones };
+        Ok(())
+    }
+
+    /// The knots in play of each spline and the places where its dual curve is longest; `None` where none of them is new.
+    fn longest_places(&self) -> Option<Vec<Vec<usize>>> {
         let (longest, gap) = (self.measure.longest, self.measure.gap);
         // What the knots that are missing cost is little beside what is asked for.
         if longest - 1.0 < 0.2 * self.settings.gap {
-            return Ok(());
+            return None;
         }
         let threshold = (1.0 - 3.0 * (longest - 1.0) - gap).max(0.8);
-        let closed = self.data.closed;
         let mut sets = Vec::new();
         let mut any = false;
         for (part, eta) in self.iterate.reduced.parts.iter().zip(&self.eta) {
             let mut set = part.chosen.clone();
-            for k in maxima(eta, closed, threshold) {
+            for k in maxima(eta, self.data.closed, threshold) {
                 if let Err(at) = set.binary_search(&k) {
                     set.insert(at, k);
                     any = true;
@@ -31,14 +51,15 @@ impl Run {
             }
             sets.push(set);
         }
-        if !any {
-            return Ok(());
-        }
+        any.then_some(sets)
+    }
+
+    /// The pairs of the knots of `reduced`: known ones as they are, new ones with the force of the dual curve, as central as
+    /// the others are in the mean.
+    fn cones_of(&self, reduced: &Reduced) -> Result<Vec<Pair>> {
         let old = &self.iterate;
         let rank = old.cones.len().max(1) as f64;
         let mean = old.cones.iter().map(|pair| pair.s.dot(pair.z)).sum::<f64>() / rank;
-        let mut reduced = Reduced::new(&self.data, sets, &old.reduced.elements)?;
-        let unknowns = transfer(&old.reduced, &mut reduced, &old.unknowns);
         let mut cones = limits::with_room(reduced.parts.iter().map(|p| p.chosen.len()).sum())?;
         let mut knot = 0;
         for (i, part) in reduced.parts.iter().enumerate() {
@@ -62,17 +83,6 @@ impl Run {
             }
             knot += before.len();
         }
-        let mut jumps = Vec::new();
-        reduced.jumps(&unknowns, &mut jumps);
-        for (pair, jump) in cones.iter_mut().zip(&jumps) {
-            pair.s.plane = *jump;
-            let least = norm(pair.s.plane) * (1.0 + 1e-12);
-            pair.s.height = pair.s.height.max(least);
-        }
-        // The same curve, seen from other elements.
-        let moments = &mut self.buffers.element_forces;
-        let _ = reduced.residuals(&self.data, &unknowns, &mut self.weighted, moments);
-        self.iterate = Iterate { reduced, unknowns, jumps, cones };
-        Ok(())
+        Ok(cones)
     }
 }
