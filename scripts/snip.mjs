@@ -42,7 +42,7 @@ for (let i = wasm.getNumFunctions() - 1; i >= 0; i--) {
 for (const name of ["__wbindgen_start", "__wbindgen_externrefs", "__abort_handler", "__instance_terminated"]) wasm.removeExport(name);
 if (count === 0) throw new Error("no panic function was found: are the names still in the wasm?");
 // What those messages were made of stays behind in the data: zeros of the same length compress to nothing, and the
-// wasm no longer depends on the folder that it was compiled in.
+// wasm does not depend on the folder that it was compiled in.
 const bytes = Buffer.from(wasm.emitBinary());
 for (const { start, end, address } of segments(bytes)) {
   const text = bytes.toString("latin1", start, end);
