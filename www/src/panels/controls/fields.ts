@@ -14,7 +14,7 @@ export interface Field<T> {
   show(value: T | null): void;
 }
 
-interface Common {
+interface FieldOptions {
   readonly label: string;
   readonly testid: string;
   /** One sentence, as the tooltip. */
@@ -22,13 +22,13 @@ interface Common {
   readonly reset?: () => void;
 }
 
-function labelFor(id: string, options: Common): HTMLLabelElement {
+function labelFor(id: string, options: FieldOptions): HTMLLabelElement {
   const label = h("label", { class: "field-label", for: id, title: options.about }, options.label);
   if (options.reset !== undefined) label.addEventListener("dblclick", options.reset);
   return label;
 }
 
-export interface NumberOptions extends Common {
+export interface NumberOptions extends FieldOptions {
   readonly least: number;
   readonly most: number;
   readonly step: number;
@@ -117,7 +117,7 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
 /** Everything between press and release is one step of such a history, and called as the slider is. */
 type SliderEdits = Pick<Timeline<unknown>, "begin" | "commit" | "bail" | "inGesture">;
 
-export interface SliderOptions extends Common {
+export interface SliderOptions extends FieldOptions {
   readonly least: number;
   readonly most: number;
   readonly step: number | "any";
@@ -178,7 +178,7 @@ export function sliderField(options: SliderOptions): Field<number> & { readonly 
   return { element, input, show };
 }
 
-export interface ToggleOptions extends Common {
+export interface ToggleOptions extends FieldOptions {
   readonly children?: readonly Child[];
   write(on: boolean): void;
 }
@@ -208,7 +208,7 @@ export interface ChoiceOption<T extends string> {
 }
 
 /** One of a few, as a row of radio buttons; undefined where several things differ in it. */
-export function choiceField<T extends string>(options: Common & { readonly options: readonly ChoiceOption<T>[]; write(value: T): void }): Field<T | undefined> {
+export function choiceField<T extends string>(options: FieldOptions & { readonly options: readonly ChoiceOption<T>[]; write(value: T): void }): Field<T | undefined> {
   const name = freshId(options.testid);
   const inputs = options.options.map((option) => {
     const input = h("input", { type: "radio", name, value: option.value, title: option.about, "aria-label": option.label });
@@ -233,7 +233,7 @@ export function choiceField<T extends string>(options: Common & { readonly optio
   };
 }
 
-export function selectField<T extends string>(options: Common & { readonly options: readonly (readonly [T, string])[]; write(value: T): void }): Field<T> {
+export function selectField<T extends string>(options: FieldOptions & { readonly options: readonly (readonly [T, string])[]; write(value: T): void }): Field<T> {
   const id = freshId(options.testid);
   const input = h("select", { id, class: "select", testid: options.testid, title: options.about },
     ...options.options.map(([value, label]) => h("option", { value }, label)),
