@@ -271,13 +271,17 @@ impl Fitter {
     }
 }
 
-/// A round of the first search that is not done; answers whether all are.
+/// A round of the first search that is not done, if the one before leaves anything to be found; answers whether all are.
 fn go_on(searches: &mut Vec<Sparsest>, rounds: &mut usize) -> Result<bool> {
     let mut done = true;
-    if let Some(next) = searches.iter().position(|search| !search.is_done()) {
-        searches[next].step();
-        *rounds += 1;
-        done = next + 1 == searches.len() && searches[next].is_done();
+    match searches.iter().position(|search| !search.is_done()) {
+        Some(next) if next > 0 && searches[next - 1].suffices() => searches.truncate(next),
+        Some(next) => {
+            searches[next].step();
+            *rounds += 1;
+            done = next + 1 == searches.len() && searches[next].is_done();
+        }
+        None => {}
     }
     if done && searches.iter().all(|search| search.missed().is_some()) {
         done = searches[0].resort_to_polyline()?;
@@ -294,6 +298,7 @@ fn go_on(searches: &mut Vec<Sparsest>, rounds: &mut usize) -> Result<bool> {
 }
 
 /// A round of the first rival that has needless knots; where none has any, the cheapest of them, and the others.
+/// Averages of the points say which is the cheapest, but not which can keep a tolerance with fewer knots: the rest follow then.
 fn choose(
     rivals: &mut Vec<Sparsest>,
     others: &mut Vec<Sparsest>,
@@ -305,7 +310,9 @@ fn choose(
         return None;
     }
     sort_by_number(rivals, &|rival| rival.cost());
-    rivals.truncate(1);
+    if !matches!(rivals[0].aim(), Aim::Tolerance(_)) {
+        rivals.truncate(1);
+    }
     rivals.append(others);
     Some(core::mem::take(rivals))
 }

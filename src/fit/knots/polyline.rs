@@ -9,7 +9,7 @@ use crate::numerics::Point;
 use crate::numerics::order::sort_in_place;
 
 /// An edge of the fewest vertices passes at most so many points.
-const REACH: usize = 64;
+pub(super) const REACH: usize = 64;
 /// What a piece of a polyline takes in all, as a spline and in the lists that are made of it: 340 bytes of the space, 50 of
 /// coefficients, 100 of polynomials.
 pub(super) const PER_PIECE: usize = 600;

@@ -32,6 +32,8 @@ const WARMING: usize = 8;
 const PER_NUMBER: f64 = 3.0;
 /// More points than this are searched in a hurry.
 const FEW: usize = 2000;
+/// With a knot for fewer points than this a line is rough.
+const ROUGH: usize = 250;
 /// How many numbers' worth a fit whose points were free must be ahead of the others: free points round small corners.
 const AHEAD: f64 = 20.0;
 /// Rounds after which growing, thinning and refining have gone on long enough.
@@ -251,6 +253,17 @@ impl Sparsest {
             }
             _ => None,
         }
+    }
+
+    /// Whether averages of so many points may hide what a tolerance is broken by.
+    fn is_rough(&self, found: &Found) -> bool {
+        ROUGH * found.spline.space.breaks.pieces() > self.view.full.points.len()
+    }
+
+    /// Whether no other search of so many points is worth its time: this one kept a tolerance with few knots.
+    pub(in crate::fit) fn suffices(&self) -> bool {
+        let sparse = self.found.as_ref().is_some_and(|found| !self.is_rough(found));
+        self.view.full.points.len() > FEW && sparse && self.missed().is_none()
     }
 
     /// What the curve is to keep to.

@@ -3,16 +3,18 @@
 use super::last_knots::minimax;
 use super::rounding::{SEEMING, slight_corners};
 use super::{Aim, Found, MOST_WORK, Sparsest};
-use crate::fit::knots::breaks::Breaks;
+use crate::fit::knots::breaks::{Breaks, Span};
 use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::CORNER;
 use crate::numerics::order::sort_by_number;
+use crate::numerics::plane::{larger, smaller};
 
 /// Rounds of a curve whose points follow it.
 const ROUNDS: usize = 12;
-/// The most by which a corner makes the curve faster or slower.
+/// The most by which a corner makes the curve faster or slower, and all of them together.
 const MOST: f64 = 8.0;
+const MOST_IN_ALL: f64 = 1e4;
 /// The share of a search's work that corners may take; of more than some 200,000 points none is tried.
 const SHARE: f64 = 0.05;
 /// From so many times a tolerance its largest distance may come down to it.
@@ -51,7 +53,7 @@ impl Sparsest {
     #[inline(never)]
     fn with_joints(&self, corners: &[usize], best: &Found) -> Option<Found> {
         let price = self.pricing.price;
-        let (mut breaks, mut located) = at_one_speed(&best.spline, &best.located);
+        let (mut breaks, mut located) = at_one_speed(&best.spline, &best.located, corners)?;
         corners.iter().for_each(|&k| breaks.multiplicity[k] = breaks.degree - 1);
         let spared = price.whole(&best.spline.space.breaks) - price.whole(&breaks);
         let enough = best.distances.squares + spared + CORNER * price.0 * corners.len() as f64;
@@ -78,25 +80,15 @@ impl Sparsest {
 }
 
 /// The breaks of a spline and its points, with pieces of such lengths that the curve is as fast after a corner as before it; a closed
-/// one, which may come round faster than it set out, a little faster at each.
-fn at_one_speed(spline: &Spline, located: &Located) -> (Breaks, Located) {
+/// one, which may come round faster than it set out, a little faster at each. Where many corners in a row make it faster, only these
+/// count; nothing where they make its pieces too long or short for numbers.
+fn at_one_speed(spline: &Spline, located: &Located, corners: &[usize]) -> Option<(Breaks, Located)> {
     let space = &spline.space;
     let breaks = &space.breaks;
-    let rises: Vec<f64> = (0..breaks.len()).map(|k| rise(spline, k)).collect();
-    let corners = breaks.multiplicity.iter().filter(|m| **m == breaks.degree).count();
-    let whole = if breaks.closed { rises.iter().fold(1.0, |whole, rise| whole * rise) } else { 1.0 };
-    let share = libm::pow(whole, -1.0 / corners.max(1) as f64);
-    let mut stretch = 1.0;
-    let mut lengths = Vec::with_capacity(space.spans.len());
-    for (s, span) in space.spans.iter().enumerate() {
-        // The first piece of a closed curve begins at its first knot, that of an open one before it.
-        if let Some(k) = if breaks.closed { Some(s) } else { s.checked_sub(1) }
-            && breaks.multiplicity[k] == breaks.degree
-        {
-            stretch *= rises[k] * share;
-        }
-        lengths.push(2.0 * span.half * stretch);
-    }
+    let all: Vec<usize> = (0..breaks.len()).filter(|&k| breaks.multiplicity[k] == breaks.degree).collect();
+    let stretches = stretches(spline, &all).or_else(|| stretches(spline, corners))?;
+    let stretched = |(span, stretch): (&Span, f64)| 2.0 * span.half * stretch;
+    let mut lengths: Vec<f64> = space.spans.iter().zip(stretches).map(stretched).collect();
     let unit = breaks.end / lengths.iter().sum::<f64>();
     lengths.iter_mut().for_each(|length| *length *= unit);
     // What lies before a closed curve's first knot belongs to its last piece.
@@ -119,7 +111,29 @@ fn at_one_speed(spline: &Spline, located: &Located) -> (Breaks, Located) {
     };
     let parameters = located.parameters.iter().map(place).collect();
     let at = if breaks.closed { begins } else { begins.split_off(1) };
-    (Breaks { at, ..breaks.clone() }, Located { parameters, ..located.clone() })
+    Some((Breaks { at, ..breaks.clone() }, Located { parameters, ..located.clone() }))
+}
+
+/// How many times as long each piece is to be for the curve to be as fast after these corners as before them; nothing where that is
+/// too much.
+fn stretches(spline: &Spline, corners: &[usize]) -> Option<Vec<f64>> {
+    let (space, breaks) = (&spline.space, &spline.space.breaks);
+    let mut rises = vec![1.0; breaks.len()];
+    corners.iter().for_each(|&k| rises[k] = rise(spline, k));
+    let whole = if breaks.closed { rises.iter().fold(1.0, |whole, rise| whole * rise) } else { 1.0 };
+    let share = libm::pow(whole, -1.0 / corners.len().max(1) as f64);
+    corners.iter().for_each(|&k| rises[k] *= share);
+    let (mut stretch, mut low, mut high) = (1.0, 1.0, 1.0);
+    let mut stretches = Vec::with_capacity(space.spans.len());
+    for s in 0..space.spans.len() {
+        // The first piece of a closed curve begins at its first knot, that of an open one before it.
+        if let Some(k) = if breaks.closed { Some(s) } else { s.checked_sub(1) } {
+            stretch *= rises[k];
+        }
+        (low, high) = (smaller(low, stretch), larger(high, stretch));
+        stretches.push(stretch);
+    }
+    (high <= MOST_IN_ALL * low).then_some(stretches)
 }
 
 /// How many times as fast the curve is after corner k as before it; 1 at other knots.

@@ -192,9 +192,19 @@ impl Sparsest {
         Phase::Thin
     }
 
-    /// What follows from a fit that breaks the tolerance when another one kept it: the last knots, or a price between the two.
+    /// What follows from a fit that breaks the tolerance when another one kept it: the last knots, or the same price
+    /// with more averages, or a price between the two.
     fn too_dear(&mut self) -> Phase {
         let Some(best) = &self.found else { return Phase::Done };
+        // What is too far away hides between averages, where a line is rough.
+        if self.view.is_averaged()
+            && self.pricing.leap == LEAP
+            && self.is_rough(best)
+            && !self.effort.is_tired()
+        {
+            self.look_closer(best.spline.space.breaks.clone());
+            return Phase::Thin;
+        }
         if self.view.full.points.len() <= FEW || self.pricing.leap < LEAP || self.effort.is_tired() {
             return Phase::Last(0);
         }
