@@ -76,7 +76,7 @@ test("a drawing that is far away is drawn as it would be near by: as a whole, fr
 test("measurements that are far away are drawn as they would be near by, and so is their curve", async (t) => {
   const table = ([x, y]: Pair): string => Array.from({ length: 60 }, (_, i) => `${x + i},${y + 20 * Math.sin(i / 9)}`).join("\n");
   const pages = [await opened(t, "#/fit", table([0, 0])), await opened(t, "#/fit", table(far))] as const;
-  for (const overlay of ["ov-residual", "ov-heat", "ov-comb"]) for (const demo of pages) await demo.byId(overlay).check();
+  for (const overlay of ["ov-residual", "ov-heat", "ov-comb", "ov-parts"]) for (const demo of pages) await demo.byId(overlay).check();
   for (const demo of pages) {
     const { x, y } = await demo.toScreen(...((await demo.state()).fit.data[14] ?? [0, 0]));
     await demo.wheel({ x, y }, 12);

@@ -105,6 +105,31 @@ export function feetOf(stroke: FittedStroke): Float64Array {
   return fresh;
 }
 
+const placed = new WeakMap<FittedStroke, readonly Curve[]>();
+
+/** The straight part and the smooth part. Only their sum has a place of its own: each is moved to the middle of the curve. */
+export function partsInPlace(stroke: FittedStroke): readonly Curve[] {
+  const known = placed.get(stroke);
+  if (known !== undefined) return known;
+  const middle = centreOf(stroke.curve);
+  const fresh = stroke.parts.map((part) => {
+    const { x, y } = centreOf(part);
+    return part.transform([1, 0, 0, 1, middle.x - x, middle.y - y]);
+  });
+  placed.set(stroke, fresh);
+  return fresh;
+}
+
+function centreOf(curve: Curve): { x: number; y: number } {
+  const points = curve.sample(64);
+  let [x, y] = [0, 0];
+  for (let i = 0; i + 1 < points.length; i += 2) {
+    x += points[i] ?? 0;
+    y += points[i + 1] ?? 0;
+  }
+  return { x: (2 * x) / points.length, y: (2 * y) / points.length };
+}
+
 const cubics = new WeakMap<Curve, Float64Array>();
 
 /** The curve as cubics, eight numbers each: a fit of degree 3 is those, exactly. */

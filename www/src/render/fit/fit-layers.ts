@@ -1,5 +1,5 @@
 import { strokesOf, type FitDocument } from "../../document/fit/fit.ts";
-import { cubicsOfFit, feetOf, teethOf, type FitOutcome, type FittedStroke } from "../../kernel/fit/outcome.ts";
+import { cubicsOfFit, feetOf, partsInPlace, teethOf, type FitOutcome, type FittedStroke } from "../../kernel/fit/outcome.ts";
 import { inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.ts";
 
 /** What Fit draws of the data and of the curve; the marks of knots are elsewhere. */
@@ -148,37 +148,23 @@ function heatOf(stroke: FittedStroke, most: number, steps: number): readonly Pat
 export function drawParts(scene: Scene, outcome: FitOutcome): void {
   const { state, palette } = scene;
   const { zoom } = state.view;
-  for (const { parts, curve } of outcome.strokes) {
-    if (parts.length < 2) continue;
-    const middle = centreOf(curve.sample(64));
-    parts.forEach((part, i) => {
+  for (const stroke of outcome.strokes) {
+    if (stroke.parts.length < 2) continue;
+    partsInPlace(stroke).forEach((part, i) => {
       const context = inPage(scene);
-      // Only the sum has a place of its own: each part is shown round the middle of the curve.
-      const own = centreOf(part.sample(64));
-      context.translate(middle.x - own.x, middle.y - own.y);
       context.strokeStyle = i === 0 ? palette.linear : palette.cubic;
       context.lineWidth = 1.5 / zoom;
       context.setLineDash(i === 0 ? [7 / zoom, 4 / zoom] : [2 / zoom, 3 / zoom]);
       context.stroke(pathOfCubics(cubicsOfFit(part), part.closed));
       context.setLineDash([]);
       const [x = 0, y = 0] = part.evaluate(0);
-      const at = onScreen(scene, { x: x + middle.x - own.x, y: y + middle.y - own.y });
+      const at = onScreen(scene, { x, y });
       const screen = inScreen(scene);
       screen.font = palette.font;
       screen.fillStyle = i === 0 ? palette.linear : palette.cubic;
       screen.fillText(i === 0 ? "straight part" : "smooth part", at.x + 12, at.y + (i === 0 ? -8 : palette.em + 4));
     });
   }
-}
-
-function centreOf(points: Float64Array): { x: number; y: number } {
-  let [x, y] = [0, 0];
-  for (let i = 0; i + 1 < points.length; i += 2) {
-    x += points[i] ?? 0;
-    y += points[i + 1] ?? 0;
-  }
-  const count = Math.max(1, points.length / 2);
-  return { x: x / count, y: y / count };
 }
 
 const teethPerCurve = 480;
