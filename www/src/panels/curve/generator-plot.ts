@@ -1,3 +1,4 @@
+import "../../styles/plot.css";
 import { omegaOf, type Contour } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { generatorsOf, type Generators } from "../../kernel/curve/generator.ts";

@@ -1,3 +1,4 @@
+import "../../styles/points.css";
 import type { Contour, Kind } from "../../document/document.ts";
 import { activeContour, setKind, setPoint } from "../../editor/curve/edits.ts";
 import { decimalsIn } from "../../document/unit.ts";
@@ -23,7 +24,7 @@ export function pointsTable(shell: Shell): Section {
   const body = h("tbody");
   const caption = h("caption", { class: "field-note" });
   const head = h("tr", {}, ...["#", "X", "Y", "Kind"].map((label) => h("th", { scope: "col" }, label)));
-  const table = h("table", { class: "points-table", testid: "points-table" }, caption, h("thead", {}, head), body);
+  const table = h("table", { class: "points-table", testid: "points-table", "aria-label": "Points" }, caption, h("thead", {}, head), body);
   const element = h("div", { class: "table-scroll" }, table);
   const rows: Row[] = [];
   let shown: Contour | undefined;
@@ -82,6 +83,7 @@ export function pointsTable(shell: Shell): Section {
       row.kind.value = point.kind;
       row.kind.disabled = contour?.family === "interpolating";
     });
+    if (contour !== shown) table.style.setProperty("--digits", String(Math.max(6, ...rows.map(({ x, y }) => Math.max(x.value.length, y.value.length)))));
     shown = contour;
   };
   return { element, update: refresh };
