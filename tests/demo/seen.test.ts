@@ -28,3 +28,25 @@ test("every number of the points table can be read to its last digit", async (t)
   assert.equal(await fields.first().inputValue(), "-123456.79");
   assert.deepEqual(await fields.evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.ariaLabel)), []);
 });
+
+test("a slider that is dragged from end to end stays where it is, and as long as it is", async (t) => {
+  const demo = await open(t);
+  for (const [hash, id] of [["#/curve?sample=blob-16", "level"], ["#/fit?sample=fit-star", "fit-noise"], ["#/trace?sample=trace-logo", "trace-alpha"]] as const) {
+    await demo.page.evaluate((to) => { location.hash = to; }, hash);
+    await demo.byId(id).scrollIntoViewIfNeeded();
+    await demo.still();
+    const boxOf = async (): Promise<string> => JSON.stringify(await demo.byId(id).boundingBox());
+    const before = await boxOf();
+    const { x, y, width, height } = JSON.parse(before) as DOMRect;
+    await demo.page.mouse.move(x + 8, y + height / 2);
+    await demo.page.mouse.down();
+    for (let i = 0; i <= 12; i += 1) {
+      await demo.page.mouse.move(x + 8 + ((width - 16) * i) / 12, y + height / 2);
+      await demo.page.waitForTimeout(20);
+      assert.equal(await boxOf(), before, id);
+    }
+    await demo.page.mouse.up();
+    await demo.idle();
+    assert.equal(await boxOf(), before, id);
+  }
+});

@@ -120,7 +120,7 @@ type SliderEdits = Pick<Timeline<unknown>, "begin" | "commit" | "bail" | "inGest
 export interface SliderOptions extends FieldOptions {
   readonly least: number;
   readonly most: number;
-  readonly step: number | "any";
+  readonly step: number;
   /** The word at the right end: what more of it means. */
   readonly direction?: string;
   readonly print: (position: number) => string;
@@ -136,6 +136,9 @@ export function sliderField(options: SliderOptions): Field<number> & { readonly 
     { id, class: "slider", testid: options.testid, type: "range", min: options.least, max: options.most, step: options.step, title: options.about },
   );
   const output = h("output", { class: "slider-value num", for: id });
+  // The slider is as long at any value: what is pressed stays under the pointer.
+  const texts = [options.least, options.most, options.most - options.step].map(options.print);
+  output.style.minWidth = `max(1.5rem, min(${Math.max(...texts.map(({ length }) => length))}ch, 40vw))`;
   let shown = 0;
   let { write } = options;
   const show = (value: number | null): void => {

@@ -148,7 +148,7 @@ function isEven({ omega }: Contour): boolean {
 
 function frequencyNote(curve: CurveDocument, contour: Contour): string {
   if (curve.space === "polynomial" || contour.points.length < 2) return "";
-  if (contour.grid !== undefined) return "Space, frequency and count are set at level 0";
+  if (contour.grid !== undefined) return "All set at level 0";
   if (contour.omega !== undefined) return isEven(contour) ? "" : "Each segment has its own";
   if (curve.omega !== "auto") return "";
   const value = omegaOf(curve, contour, 0);
