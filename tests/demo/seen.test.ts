@@ -18,6 +18,51 @@ async function imported(demo: Demo, text: string): Promise<void> {
   await demo.idle();
 }
 
+test("the stage that Tab leads to has a ring around it, in every mode", async (t) => {
+  const demo = await open(t, "", { reducedMotion: "reduce" });
+  for (const mode of ["curve", "fit", "trace", "surface"]) {
+    await demo.click(`tab-${mode}`);
+    await demo.page.keyboard.press("Tab");
+    await demo.focusStage();
+    await demo.still();
+    const box = await demo.byId("stage").boundingBox();
+    assert.ok(box !== null);
+    const clip = { x: box.x, y: box.y + box.height / 2, width: 2, height: 1 };
+    const edge = await demo.page.screenshot({ clip });
+    await demo.byId(`tab-${mode}`).focus();
+    await demo.still();
+    assert.notDeepEqual(edge, await demo.page.screenshot({ clip }), mode);
+  }
+});
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`whatever colour a line or mark has, it stands out 3 : 1 from the stage and the panel, ${colorScheme}`, async (t) => {
+    const demo = await open(t, "", { colorScheme });
+    const faint = await demo.page.evaluate(() => {
+      const style = getComputedStyle(document.documentElement);
+      const luminance = (name: string): number => {
+        const parts = style.getPropertyValue(`--${name}`).match(/[\d.]+/gu)?.slice(0, 3).map((each) => Number(each) / 255) ?? [];
+        const [r = NaN, g = NaN, b = NaN] = parts.map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+      };
+      const ratio = (a: string, b: string): number => {
+        const [x, y] = [luminance(a), luminance(b)];
+        return (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05);
+      };
+      const names = ["border", "line", "focus", "point", "curve", "handle", "linear", "cubic", "coinc", "cusp", "original", "err", "warn", "heat-0", "heat-1", "heat-2", "heat-3", "heat-4"];
+      return names.flatMap((name) => ["canvas", "panel"].map((paper) => ({ name, paper, found: ratio(name, paper) }))).filter(({ found }) => !(found >= 3));
+    });
+    assert.deepEqual(faint, []);
+  });
+}
+
+test("what a field has in it as an example can be read in the dark", async (t) => {
+  const demo = await open(t, "", { colorScheme: "dark" });
+  await demo.byId("btn-import").click();
+  const [shown, text] = await demo.byId("import-text").evaluate((field) => [getComputedStyle(field, "::placeholder").color, getComputedStyle(document.documentElement).getPropertyValue("--ink2")]);
+  assert.equal(shown, text);
+});
+
 test("every number of the points table can be read to its last digit", async (t) => {
   const demo = await open(t, "", tablet);
   await imported(demo, "M-123456.789 -987654.321C-122856 -987654 -122456 -987254 -122456.789 -986854.2S-123156 -986054 -123456.789 -986454.321z");

@@ -29,7 +29,5 @@ export function drawSheet(scene: Scene, { x, y, width, height }: Artboard): void
   const context = inPage(scene);
   context.strokeStyle = scene.palette.line;
   context.lineWidth = 1 / scene.state.view.zoom;
-  context.globalAlpha = 0.6;
   context.strokeRect(x, y, width, height);
-  context.globalAlpha = 1;
 }

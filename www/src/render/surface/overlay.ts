@@ -58,7 +58,7 @@ function drawEdges(scene: Scene, surface: SurfaceDocument, points: readonly Plac
   context.lineWidth = 1;
   context.globalAlpha = 0.16;
   context.stroke(far);
-  context.globalAlpha = 0.6;
+  context.globalAlpha = 0.7;
   context.stroke(near);
   context.globalAlpha = 1;
 }
