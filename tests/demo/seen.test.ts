@@ -7,6 +7,7 @@ import { useBrowser, type Demo } from "./page.ts";
 const { open } = useBrowser();
 
 const tablet = { viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true } as const;
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true } as const;
 
 async function imported(demo: Demo, text: string): Promise<void> {
   await demo.page.evaluate((pasted) => {
@@ -63,6 +64,28 @@ test("what a field has in it as an example can be read in the dark", async (t) =
   assert.equal(shown, text);
 });
 
+test("points that somebody clicked are seen beside the curve that was fitted to them", async (t) => {
+  const demo = await open(t, "#/fit");
+  await imported(demo, "100,100\n220,90\n300,200\n260,330\n120,340\n60,220");
+  await demo.byId("ov-knots").uncheck();
+  await demo.idle();
+  // The datum that is farthest from the curve.
+  const [data, curve] = [(await demo.state()).fit.data, await demo.sample(2000)];
+  const away = data.map(([x, y]) => Math.min(...curve.map(([a, b]) => Math.hypot(a - x, b - y))));
+  const [x = NaN, y = NaN] = data[away.indexOf(Math.max(...away))] ?? [];
+  const at = await demo.toScreen(x, y);
+  const ink = await demo.page.evaluate(({ x: left, y: top }) => {
+    const canvas = document.querySelector("canvas");
+    const box = canvas?.getBoundingClientRect() ?? new DOMRect();
+    const { data: pixels } = canvas?.getContext("2d")?.getImageData(Math.round(left - box.left) - 4, Math.round(top - box.top) - 4, 8, 8) ?? { data: [] };
+    let dark = 0;
+    for (let i = 0; i < pixels.length; i += 4) dark += (pixels[i] ?? 255) < 200 ? 1 : 0;
+    return dark;
+  }, at);
+  // A disc of five pixels across has twenty.
+  assert.ok(ink >= 16, `${ink} pixels`);
+});
+
 test("every number of the points table can be read to its last digit", async (t) => {
   const demo = await open(t, "", tablet);
   await imported(demo, "M-123456.789 -987654.321C-122856 -987654 -122456 -987254 -122456.789 -986854.2S-123156 -986054 -123456.789 -986454.321z");
@@ -72,6 +95,15 @@ test("every number of the points table can be read to its last digit", async (t)
   await fields.nth(5).waitFor();
   assert.equal(await fields.first().inputValue(), "-123456.79");
   assert.deepEqual(await fields.evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.ariaLabel)), []);
+});
+
+test("a finger can press what a message offers, and what takes it away", async (t) => {
+  const demo = await open(t, "", phone);
+  await imported(demo, "M0 0C50 0 100 50 100 100S50 200 0 100z");
+  for (const each of await demo.page.locator(".toast button").all()) {
+    const box = await each.boundingBox();
+    assert.ok(box !== null && Math.min(box.width, box.height) >= 44, JSON.stringify(box));
+  }
 });
 
 test("a slider that is dragged from end to end stays where it is, and as long as it is", async (t) => {

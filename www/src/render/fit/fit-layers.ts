@@ -5,6 +5,8 @@ import { inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.t
 /** What Fit draws of the data and of the curve; the marks of knots are elsewhere. */
 
 const dot = 1.25;
+/** So few are places that somebody chose: they are seen beside the curve that runs over them. */
+const [fewDots, largeDot] = [48, 2.75];
 /** More dots than this would be a stripe: then every second, third … one is drawn, and the way between them. */
 const mostDots = 3000;
 
@@ -21,7 +23,7 @@ export function drawData(scene: Scene, strength: number): void {
   const known = dots.get(data);
   const path = known !== undefined && known.zoom === zoom ? known.path : new Path2D();
   if (known?.path !== path) {
-    const radius = dot / zoom;
+    const radius = (data.length <= fewDots ? largeDot : dot) / zoom;
     const step = Math.ceil(data.length / mostDots);
     for (let i = 0; i < data.length; i += step) {
       const [x = 0, y = 0] = data[i] ?? [];

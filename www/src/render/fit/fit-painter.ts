@@ -25,7 +25,7 @@ export function createFitPainter(again: () => void, now: () => number): Painter 
 /** The fit over its data. */
 function drawOver(scene: Scene, outcome: FitOutcome, knots: KnotLayer): void {
   const { overlays, compare } = scene.state.fitView;
-  if (overlays.data) drawData(scene, compare === "onion" ? 1 : 0.75);
+  if (overlays.data) drawData(scene, compare === "onion" ? 1 : 0.9);
   drawResult(scene, outcome, knots);
 }
 
