@@ -127,3 +127,38 @@ test("a slider that is dragged from end to end stays where it is, and as long as
     assert.equal(await boxOf(), before, id);
   }
 });
+
+/** An element as it is painted: how light each pixel of the row through its middle is, from 0 to 1. */
+async function middleRow(demo: Demo, selector: string): Promise<number[]> {
+  const picture = (await demo.page.locator(selector).screenshot()).toString("base64");
+  return demo.page.evaluate(async (base64) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${base64}`;
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext("2d");
+    context?.drawImage(image, 0, 0);
+    const { data } = context?.getImageData(0, Math.floor(image.height / 2), image.width, 1) ?? { data: [] };
+    return Array.from({ length: image.width }, (_, i) => {
+      const [r = 0, g = 0, b = 0] = [0, 1, 2].map((k) => ((data[4 * i + k] ?? 0) / 255) ** 2.2);
+      return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    });
+  }, picture);
+}
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`in forced colours, ${colorScheme}, the first button has its letters and the heat its ramp`, async (t) => {
+    const demo = await open(t, "#/fit?sample=fit-star", { forcedColors: "active", colorScheme });
+    const row = await middleRow(demo, "[data-testid=fit-edit]");
+    const [least, most] = [Math.min(...row), Math.max(...row)];
+    assert.ok((most + 0.05) / (least + 0.05) >= 4.5, `${least} and ${most}`);
+    // A plate behind the letters has two sides; the letters of "Edit in Curve" have two dozen.
+    const isLight = row.map((each) => each > (least + most) / 2);
+    const sides = isLight.filter((each, i) => i > 0 && each !== isLight[i - 1]).length;
+    assert.ok(sides >= 12, `${sides} sides`);
+    await demo.byId("ov-heat").check();
+    await demo.idle();
+    const ramp = await middleRow(demo, ".heat-ramp");
+    assert.ok(new Set(ramp.map((each) => each.toFixed(2))).size > 8, "the ramp has shades");
+  });
+}
