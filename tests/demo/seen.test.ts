@@ -162,3 +162,29 @@ for (const colorScheme of ["light", "dark"] as const) {
     assert.ok(new Set(ramp.map((each) => each.toFixed(2))).size > 8, "the ramp has shades");
   });
 }
+
+test("with text twice as large on a phone every number, choice and select of the panel can be read to its end", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", phone);
+  await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
+  for (let i = 0; i < 2; i += 1) await demo.byId("sheet-up").click();
+  for (const mode of ["curve", "fit", "trace", "surface"]) {
+    await demo.page.evaluate((hash) => { location.hash = hash; }, mode === "trace" ? "#/trace?sample=trace-logo" : `#/${mode}${mode === "curve" ? "?sample=heart" : ""}`);
+    await demo.idle();
+    await demo.page.evaluate(() => document.querySelector<HTMLElement>('[data-testid="stage"]')?.focus());
+    await demo.press("]");
+    await demo.still();
+    const cut = await demo.page.evaluate(() => {
+      const pen = document.createElement("canvas").getContext("2d");
+      const needed = (element: Element): number => {
+        if (!(element instanceof HTMLSelectElement) || pen === null) return element.scrollWidth;
+        pen.font = getComputedStyle(element).font;
+        return pen.measureText(element.selectedOptions[0]?.text ?? "").width + 16;
+      };
+      const panel = document.querySelector(".panel-scroll");
+      const all = [...document.querySelectorAll(".panel-scroll :is(.number, .select, .choice span)")].filter((element) => element.checkVisibility());
+      const [width, most] = [panel?.scrollWidth ?? NaN, panel?.clientWidth ?? NaN];
+      return [...all.filter((element) => needed(element) > element.clientWidth + 1 && element.clientWidth > 0).map((element) => element.getAttribute("data-testid") ?? element.textContent), ...(width > most ? [`the panel: ${width} of ${most}`] : [])];
+    });
+    assert.deepEqual(cut, [], mode);
+  }
+});
