@@ -92,7 +92,6 @@ fn a_rough_line_of_many_points_has_far_fewer_knots_than_a_polyline_has_vertices(
     ] {
         let tolerance = part * size_of(&points);
         let (knots, corners) = (within(&points, tolerance).knots.len(), vertices(&points, tolerance));
-        println!("{name}: {knots} knots, {corners} vertices");
         assert!((knots as f64) < share * corners as f64, "{name}: {knots} knots, {corners} vertices");
     }
 }
