@@ -35,7 +35,15 @@ function readByBrowser(demo: Demo, d: string, places: number): Promise<ReadPath[
   }, [d, places] as const);
 }
 
-for (const [name, hash, picture] of [["a heart", "#/curve?sample=heart", ""], ["interpolated points", "#/curve?sample=net-64", ""], ["a logo", "#/curve", siRust.svg], ["a trace", "#/trace?sample=trace-logo", ""], ["a fit", "#/fit?sample=fit-roundrect", ""]] as const) {
+const WORKS = [
+  ["a heart", "#/curve?sample=heart", ""],
+  ["interpolated points", "#/curve?sample=net-64", ""],
+  ["a logo", "#/curve", siRust.svg],
+  ["a trace", "#/trace?sample=trace-logo", ""],
+  ["a fit", "#/fit?sample=fit-roundrect", ""],
+] as const;
+
+for (const [name, hash, picture] of WORKS) {
   test(`of ${name} the browser measures what the page says: length, size, number of bytes, and how far the path is from the curve`, async (t) => {
     const demo = await open(t, hash);
     if (picture !== "") {
