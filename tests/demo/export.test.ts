@@ -160,10 +160,10 @@ test("V16 the picture at 2× has the size that its button states, and a drawing 
   const demo = await open(t, "#/curve?sample=heart");
   await openExport(demo);
   await demo.byId("export-png-scale").selectOption("2");
-  const stated = await demo.textOf("export-png");
   const { bytes } = await downloaded(demo, "export-png");
   const { width, height, drawn } = readPng(bytes);
-  assert.match(stated, new RegExp(`${width} × ${height}`));
+  // The button has its size once the drawing has been measured.
+  await demo.until(() => demo.textOf("export-png"), (text) => text === `PNG ${width} × ${height}`, `${width} × ${height} is stated`);
   const bounds = await demo.sample(2000);
   const wide = Math.max(...bounds.map(([x]) => x)) - Math.min(...bounds.map(([x]) => x));
   assert.ok(width >= 2 * wide && width <= 2 * wide + 80, `${width} pixels for ${wide} units`);
