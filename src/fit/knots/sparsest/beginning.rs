@@ -27,8 +27,8 @@ const LEFT: f64 = 0.7;
 const DEPTH: f64 = 0.28;
 /// So many points a polyline of nearly all of them may be begun with, where a tolerance takes as many.
 const MOST_THROUGH: usize = 6000;
-/// And so many one of a rough line, which has a vertex more often than every [`REACH`] points.
-const MOST_ROUGH: usize = 16_000;
+/// And so many one that has a vertex more often than every [`REACH`] points, beyond which it draws no edge.
+const MOST_CROWDED: usize = 16_000;
 
 /// Of so many points at most a search begins with the curve through all of them.
 const MOST_FOLLOWED: usize = 1500;
@@ -103,11 +103,11 @@ impl Sparsest {
         let most = MOST_VERTICES.min(count / 3);
         let mut vertices = polyline::vertices(&full.points, plan.closed, near, most);
         let near_noise = matches!(aim, Aim::Tolerance(tolerance) if tolerance < NEAR_NOISE * noise);
-        let rough = vertices.as_ref().is_none_or(|found| REACH * found.len() > count);
+        let crowded = vertices.as_ref().is_none_or(|found| REACH * found.len() > count);
         if let Aim::Tolerance(tolerance) = aim
             && (near_noise && count <= FEW
                 || aim.is_fine() && count <= MOST_THROUGH
-                || rough && count > FEW && count <= MOST_ROUGH)
+                || crowded && count > FEW && count <= MOST_CROWDED)
         {
             let fewest = polyline::fewest(&full.points, plan.closed, ALMOST * tolerance)?;
             vertices = vertices.filter(|found| found.len() <= fewest.len()).or(Some(fewest));
