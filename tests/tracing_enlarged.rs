@@ -34,14 +34,24 @@ fn resized(bytes: &[u8], each: usize, side: usize, [size, count]: [usize; 2], le
     (0..wide * wide).flat_map(|i| &bytes[pixel(i)..pixel(i) + each]).copied().collect()
 }
 
-/// What pictures on scaled displays are enlarged by.
-const FRACTIONS: [[usize; 2]; 6] = [[5, 4], [4, 3], [3, 2], [7, 4], [9, 4], [5, 2]];
+/// What pictures on scaled displays, and in browsers that zoom, are enlarged by.
+const FRACTIONS: [[usize; 2]; 8] = [[5, 4], [4, 3], [3, 2], [7, 4], [9, 4], [5, 2], [11, 10], [6, 5]];
 
 /// Contours are those of another picture, so many times as large and moved back. Where that is no power of two, products are rounded.
 fn assert_enlarged(contours: &[TracedContour], from: &[TracedContour], times: f64, back: [f64; 2]) {
+    assert_stretched(contours, from, [times; 2], back);
+    for (large, small) in contours.iter().zip(from) {
+        let off = large.metrics.max - times * small.metrics.max;
+        assert!(off.abs() < 1e-9, "distances are in pixels of the picture");
+    }
+}
+
+/// The same, if not as much along rows as along columns.
+fn assert_stretched(contours: &[TracedContour], from: &[TracedContour], times: [f64; 2], back: [f64; 2]) {
     assert_eq!(contours.len(), from.len(), "as many contours");
+    let most = 1e-12 * times[0].max(times[1]) * SIDE as f64;
     let is_there = |p: &Point, q: &Point| {
-        (0..2).all(|axis| (p[axis] - (times * q[axis] - back[axis])).abs() <= 1e-12 * times * SIDE as f64)
+        (0..2).all(|axis| (p[axis] - (times[axis] * q[axis] - back[axis])).abs() <= most)
     };
     for (large, small) in contours.iter().zip(from) {
         let lists = [(large.curve.points(), small.curve.points()), (&large.cusps, &small.cusps)];
@@ -50,11 +60,10 @@ fn assert_enlarged(contours: &[TracedContour], from: &[TracedContour], times: f6
             assert!(points.iter().zip(old).all(|(p, q)| is_there(p, q)), "{points:?} for {old:?}");
         }
         for (p, q) in large.curve.tangents().iter().zip(small.curve.tangents()) {
-            assert!((p - q * times).norm() <= 1e-12 * times * SIDE as f64, "{p:?} for {q:?}");
+            let off = p - Point::new(times[0] * q.x, times[1] * q.y);
+            assert!(off.norm() <= 2.0 * most, "{p:?} for {q:?}");
         }
         assert_eq!(large.curve.omega(), small.curve.omega(), "arcs stay arcs");
-        let off = large.metrics.max - times * small.metrics.max;
-        assert!(off.abs() < 1e-9, "distances are in pixels of the picture");
     }
 }
 
@@ -85,6 +94,36 @@ fn a_drawing_enlarged_by_a_fraction_is_traced_as_the_drawing_and_enlarged() {
                 assert_enlarged(&large.contours, &small.contours, size as f64 / count as f64, [0.0; 2]);
             }
         }
+    }
+}
+
+#[test]
+fn a_drawing_enlarged_to_any_size_is_traced_as_the_drawing_and_enlarged() {
+    let bytes = arrow();
+    let small = traced(SIDE, SIDE, &bytes);
+    for wide in [107, 128, 171, 250, 333, 901] {
+        let times = wide as f64 / SIDE as f64;
+        // Each pixel where its middle is nearest, or where it begins: then all are half a pixel late, less half a step of the rounding.
+        let late = (SIDE - 1) as f64 / (2 * SIDE) as f64;
+        for (lead, back) in [(SIDE / 2, 0.0), ((SIDE - 1) / 2, 0.0), (0, -late)] {
+            let large = traced(wide, wide, &resized(&bytes, 1, SIDE, [wide, SIDE], lead));
+            assert_enlarged(&large.contours, &small.contours, times, [back; 2]);
+        }
+    }
+}
+
+#[test]
+fn sides_that_were_rounded_each_by_itself_are_enlarged_each_by_itself() {
+    let rows = 80;
+    let bytes = &arrow()[..rows * SIDE];
+    let small = traced(SIDE, rows, bytes);
+    for [wide, high] in [[171, 142], [171, 143], [251, 209], [125, 104]] {
+        let column = |x: usize| (x * SIDE + SIDE / 2) / wide;
+        let row = |y: usize| (y * rows + rows / 2) / high;
+        let pixel = |i: usize| bytes[row(i / wide) * SIDE + column(i % wide)];
+        let large = traced(wide, high, &(0..wide * high).map(pixel).collect::<Vec<u8>>());
+        let times = [wide as f64 / SIDE as f64, high as f64 / rows as f64];
+        assert_stretched(&large.contours, &small.contours, times, [0.0; 2]);
     }
 }
 
@@ -143,6 +182,34 @@ fn marks_in_every_fifth_place_are_what_was_drawn() {
         let mut scan = BlockScan::new(100);
         scan.push(&resized(&rgba, 4, 80, [5, 4], 2), 4);
         assert_eq!(scan.blocks().map(|blocks| blocks.extent()), Some([80; 2]), "{what}");
+    }
+}
+
+#[test]
+fn bands_and_gradients_are_what_was_drawn() {
+    // 128 shades in 171 columns come as the columns of an enlarged picture would, and the two rows that change may be rows of one: two by chance.
+    let shade = |x: usize| (255 - (x * 128 + 64) / 171) as u8;
+    let gradient = |i: usize| if (31..102).contains(&(i / 171)) { shade(i % 171) } else { 255 };
+    // Rectangles whose sides lie anywhere, each in a shade of its own.
+    let mut noise = Noise(13);
+    let sides: Vec<[f64; 4]> = (0..12)
+        .map(|k| {
+            let [left, top] = [14.0 * f64::from(k) + 2.0 * noise.unit(), 20.0 + 40.0 * noise.unit()];
+            [left, top, left + 5.0 + 5.0 * noise.unit(), top + 30.0 + 40.0 * noise.unit()]
+        })
+        .collect();
+    let overlap = |a: f64, b: f64, at: usize| (b.min(at as f64 + 1.0) - a.max(at as f64)).max(0.0);
+    let rectangle = |i: usize| {
+        let cover = |(k, [a, b, c, d]): (usize, &[f64; 4])| {
+            overlap(*a, *c, i % 171) * overlap(*b, *d, i / 171) * (0.5 + k as f64 / 24.0)
+        };
+        (255.0 * (1.0 - sides.iter().enumerate().map(cover).sum::<f64>())) as u8
+    };
+    for (what, picture) in [("gradient", &gradient as &dyn Fn(usize) -> u8), ("rectangles", &rectangle)] {
+        let rgba: Vec<u8> = (0..171 * 131).flat_map(|i| [picture(i), picture(i), picture(i), 255]).collect();
+        let mut scan = BlockScan::new(171);
+        scan.push(&rgba, 4);
+        assert_eq!(scan.blocks(), None, "{what}");
     }
 }
 
@@ -305,7 +372,7 @@ fn drawings_of_several_colours_are_enlarged_layer_by_layer() {
     let palette = [colors::WHITE, colors::RED, colors::BLUE];
     let (small, none) = layered(SIDE, &rgba, &palette);
     assert_eq!(none, None, "the drawing itself is of pixels");
-    for [size, count] in [[2, 1], [4, 1], [3, 2], [5, 4]] {
+    for [size, count] in [[2, 1], [4, 1], [3, 2], [5, 4], [171, SIDE]] {
         let (wide, times) = (SIDE * size / count, size as f64 / count as f64);
         let (large, blocks) =
             layered(wide, &resized(&rgba, 4, SIDE, [size, count], (count - 1) / 2), &palette);

@@ -205,8 +205,8 @@ impl HermiteCurve {
         Ok(self)
     }
 
-    /// Makes the curve so many times as large, and moves it back by a vector.
-    pub(crate) fn enlarge(&mut self, times: f64, back: Vector) {
+    /// Makes the curve so many times as wide and as high, and moves it back by a vector.
+    pub(crate) fn enlarge(&mut self, times: Vector, back: Vector) {
         let data = &mut self.inner.data;
         enlarge(&mut data.points, times, back);
         enlarge(&mut data.tangents, times, Vector::zeros());

@@ -16,11 +16,11 @@ pub(crate) fn smaller(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
-/// Makes points so many times as large, and moves them back by a vector.
+/// Makes points so many times as wide and as high, and moves them back by a vector.
 #[inline(never)]
-pub(crate) fn enlarge(points: &mut [Point], times: f64, back: Vector) {
+pub(crate) fn enlarge(points: &mut [Point], times: Vector, back: Vector) {
     for p in points {
-        *p = *p * times - back;
+        *p = p.component_mul(&times) - back;
     }
 }
 

@@ -2,51 +2,56 @@
 
 use super::options::TraceOptions;
 use super::picture::blocks::Blocks;
+use super::picture::pitch::Pitch;
 use super::work::TracedContour;
-use crate::numerics::Point;
+use crate::numerics::Vector;
 use crate::numerics::plane::{enlarge, larger, smaller};
 
 /// Contours of less area, in squares, are left out unless smaller ones are asked for, as in any picture.
 const SPECKLE: f64 = 2.0;
 
+impl Pitch {
+    /// How far before the picture the squares begin. Those of two sizes begin up to a pixel later than even ones would, half of that on the average;
+    /// where nothing is cut off, as mostly, that is known.
+    #[inline(never)]
+    fn back(&self) -> f64 {
+        let count = self.count as f64;
+        let late = self.lead as f64 - (count - 1.0) / 2.0;
+        if late.abs() > 0.5 { late / count } else { 0.0 }
+    }
+}
+
 impl Blocks {
-    /// The side of a square, in pixels.
-    fn side(&self) -> f64 {
-        self.size as f64 / self.count as f64
+    /// How broad and how high a square is, in pixels.
+    fn sides(&self) -> Vector {
+        let [columns, rows] = self.grid.map(|pitch| pitch.times());
+        Vector::new(columns, rows)
     }
 
     /// Pixels in a square.
     pub(super) fn area(&self) -> f64 {
-        self.side() * self.side()
+        self.sides().product()
     }
 
     /// Makes what a tracer is told of pixels what it is told of squares. How near the first curves are counts in squares.
     pub(super) fn adapt(&self, options: &mut TraceOptions) {
         if let Some(blur) = &mut options.blur {
-            *blur /= self.side();
+            *blur /= self.sides().x;
         }
         options.speckle = larger(options.speckle / self.area(), smaller(options.speckle, SPECKLE));
-    }
-
-    /// How far before the picture the squares begin. Those of two sizes begin up to a pixel later than even ones would, half of that on the average;
-    /// where nothing is cut off, as mostly, that is known.
-    #[inline(never)]
-    fn back(&self, axis: usize) -> f64 {
-        let count = self.count as f64;
-        let late = self.lead[axis] as f64 - (count - 1.0) / 2.0;
-        if late.abs() > 0.5 { late / count } else { 0.0 }
     }
 
     /// Makes contours of the squares those of the picture. Where the border cuts squares off, outlines end where these would.
     #[inline(never)]
     pub(super) fn enlarge(&self, contours: &mut [TracedContour]) {
-        let size = self.side();
-        let back = Point::new(self.back(0), self.back(1));
+        let sides = self.sides();
+        let [left, top] = self.grid.map(|pitch| pitch.back());
+        let back = Vector::new(left, top);
         for TracedContour { curve, cusps, metrics, .. } in contours {
-            curve.enlarge(size, back);
-            enlarge(cusps, size, back);
+            curve.enlarge(sides, back);
+            enlarge(cusps, sides, back);
             for distance in [&mut metrics.rmse, &mut metrics.mae, &mut metrics.max, &mut metrics.hausdorff] {
-                *distance *= size;
+                *distance *= larger(sides.x, sides.y);
             }
         }
     }

@@ -12,6 +12,7 @@ pub(super) mod lifting;
 pub(super) mod light;
 mod mixture;
 pub(super) mod palette;
+pub(super) mod pitch;
 pub(super) mod shape;
 pub(super) mod softness;
 pub(super) mod steps;
