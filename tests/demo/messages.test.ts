@@ -134,3 +134,19 @@ test("an offer that is declined goes with what it was about", async (t) => {
   await offer.waitFor({ state: "detached" });
   assert.equal((await demo.state()).curve.level, 1);
 });
+
+test("news of a mode go when another is opened", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  const news = demo.page.locator(".toast");
+  await demo.byId("curve-simplify").click();
+  await news.filter({ hasText: "Copied to Fit" }).waitFor();
+  await demo.click("tab-curve");
+  assert.deepEqual(await news.allTextContents(), []);
+});
+
+test("an address that names no sample is said to, from whichever mode it is opened", async (t) => {
+  const demo = await open(t, "#/fit");
+  await demo.page.evaluate(() => { location.hash = "#/curve?sample=nobody"; });
+  await demo.byId("toast").filter({ hasText: "There is no sample called nobody." }).waitFor();
+  assert.equal((await demo.state()).mode, "curve");
+});

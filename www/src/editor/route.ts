@@ -66,15 +66,19 @@ export function routeOf(editor: Editor, mode = editor.state.value.mode): Route {
 /** Goes where the address says. A sample that is being worked on is not opened over the work. */
 export function follow(editor: Editor, route: Route): void {
   const { curve, fit, trace, surface } = editor.state.value;
+  let unknown = false;
   if (route.sample !== null) {
-    if (route.mode === "curve" && curve.sample !== route.sample && !openSample(editor, route.sample)) {
-      editor.notify({ kind: "toast", text: `There is no sample called ${route.sample}.` });
-    }
+    if (route.mode === "curve" && curve.sample !== route.sample) unknown = !openSample(editor, route.sample);
     if (route.mode === "fit" && route.sample !== fit.sample) nameFit(editor, route.sample);
     if (route.mode === "trace" && route.sample !== trace.sample) nameTrace(editor, route.sample);
     if (route.mode === "surface" && route.sample !== surface.sample) nameSurface(editor, route.sample);
   }
   editor.patch({ mode: route.mode });
+  if (unknown) sayUnknown(editor, route.sample);
+}
+
+function sayUnknown(editor: Editor, sample: string | null): void {
+  editor.notify({ kind: "toast", text: `There is no sample called ${sample}.` });
 }
 
 /** An empty net is the sample that it names, still to be opened. */
@@ -124,7 +128,7 @@ export function connectRoutes(editor: Editor, until: AbortSignal): void {
 export function openRoute(editor: Editor, route: Route): boolean {
   const found = route.mode !== "curve" || route.sample === null || curveSample(route.sample) !== undefined;
   openSample(editor, route.mode === "curve" && found ? route.sample ?? landingSample : landingSample);
-  if (!found) editor.notify({ kind: "toast", text: `There is no sample called ${route.sample}.` });
+  if (!found) sayUnknown(editor, route.sample);
   follow(editor, found ? route : { ...route, sample: null });
   return found;
 }

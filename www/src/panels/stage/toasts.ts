@@ -37,8 +37,8 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
     // What is offered is offered of the last that was done.
     if (action !== undefined) news.querySelectorAll(".toast:has(.toast-action)").forEach((old) => old.remove());
     add(news, toast);
-    // What an action would do is another thing after the next step, or in another mode: the offer goes then.
-    if (action !== undefined && action.lasting !== true) leaveWhen(editor, toast, (state, before) => state.mode !== before.mode || state.undoName !== before.undoName);
+    // News are of the mode they were said in; and what an action would do is another thing after the next step.
+    if (action?.lasting !== true) leaveWhen(editor, toast, (state, before) => state.mode !== before.mode || (action !== undefined && state.undoName !== before.undoName));
     leaveLater(toast, action === undefined ? shownForMs : 3 * shownForMs);
     return toast;
   };
