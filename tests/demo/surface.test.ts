@@ -117,6 +117,26 @@ test("V25 levels leave the surface where it is, up and down; a typed coordinate 
   assert.ok(largest(await mesh(demo), before) > 0.05);
 });
 
+test("a long coordinate is seen as far as there is room, and told in full; what is typed is kept with every digit, and arrows step from it", async (t) => {
+  const demo = await open(t, "#/surface");
+  await demo.focusStage();
+  await demo.press("]");
+  const field = demo.byId("surf-x");
+  const x = async (): Promise<number | undefined> => (await surfaceOf(demo)).net[0]?.x;
+  // Each beside the last: the step between them is no number of as many digits.
+  for (const [typed, seen] of [["-123.456789", "-123.46"], ["12.3456789", "12.346"], ["-54321.9876", "-54322"], ["-1.23456789", "-1.2346"]] as const) {
+    await field.fill(typed);
+    await demo.press("Enter");
+    assert.equal(await x(), Number(typed));
+    assert.equal(await field.inputValue(), seen);
+    const { cut, told } = await field.evaluate((input: HTMLInputElement) => ({ cut: input.scrollWidth - input.clientWidth, told: input.title }));
+    assert.ok(cut <= 0, `${seen} is cut by ${cut} px`);
+    assert.ok(told.startsWith(`${typed}.`), told);
+  }
+  await demo.press("ArrowUp");
+  assert.ok(Math.abs((await x() ?? NaN) - -1.22456789) < 1e-12, `${await x()}`);
+});
+
 test("refining a place adds points there alone and moves nothing; the finer points move less of the surface", async (t) => {
   const demo = await open(t, "#/surface?sample=surf-torus");
   const before = await mesh(demo);

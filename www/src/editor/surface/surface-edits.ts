@@ -124,9 +124,10 @@ export function placeNet(editor: Editor, axis: 0 | 1 | 2, value: number): void {
   const [ref] = chosen;
   const point = ref === undefined ? undefined : shownPoint(surface, ref);
   if (ref === undefined || point === undefined || chosen.length !== 1) return;
-  const step: [number, number, number] = [0, 0, 0];
-  step[axis] = value - point.at[axis];
-  tryChange(editor, "Place point", (now) => moved(now, chosen, step), `type ${"xyz"[axis] ?? ""}`);
+  const place: [number, number, number] = [...point.at];
+  place[axis] = value;
+  const [x, y, z] = place;
+  tryChange(editor, "Place point", (now) => ({ surface: withNetPoints(now.surface, [{ ...ref, x, y, z }]), chosen }), `type ${"xyz"[axis] ?? ""}`);
 }
 
 /** Finer or coarser control points of the same surface; what would change it is said first and made on asking again. */

@@ -92,7 +92,8 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
       event.stopPropagation();
     }
     if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
-    const from = parseTyped(input.value, options.least, options.most) ?? shown;
+    // What is printed may have fewer digits than what it stands for.
+    const from = input.value === printed ? shown : parseTyped(input.value, options.least, options.most) ?? shown;
     if (from === null || Number.isNaN(from)) return;
     event.preventDefault();
     const step = options.step * (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1);

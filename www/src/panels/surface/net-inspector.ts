@@ -15,14 +15,23 @@ const axes: readonly (readonly [DragAxis, string])[] = [
   ["normal", "Normal"],
 ];
 
+const names = ["x", "y", "z"] as const;
+const about = (axis: number): string => `${names[axis]?.toUpperCase() ?? ""} of the control point; a typed value is exact.`;
+
 const limit = 1e6;
+
+/** As many decimals as a third of the panel has room for. */
+function formatPlace(value: number): string {
+  const before = Math.floor(Math.log10(Math.max(1, Math.abs(value))));
+  return String(Number(value.toFixed(Math.max(0, 4 - before))) + 0);
+}
 
 /** The chosen control point in numbers, and how drags and nudges move it. */
 export function netInspector(shell: Shell): Section {
   const { editor } = shell;
-  const fields = (["x", "y", "z"] as const).map((name, axis) => numberField({
-    label: name.toUpperCase(), testid: `surf-${name}`, about: `${name.toUpperCase()} of the control point; a typed value is exact.`,
-    least: -limit, most: limit, step: 0.01, format: (value) => String(Number(value.toFixed(4))),
+  const fields = names.map((name, axis) => numberField({
+    label: name.toUpperCase(), testid: `surf-${name}`, about: about(axis),
+    least: -limit, most: limit, step: 0.01, format: formatPlace,
     write: (value) => value !== null && placeNet(editor, axis === 0 ? 0 : axis === 1 ? 1 : 2, value),
   }));
   const axis = selectField({
@@ -51,7 +60,11 @@ export function netInspector(shell: Shell): Section {
       setText(which, chosen.length > 1
         ? `${chosen.length} points`
         : ref === undefined ? "" : `${ref.detail === undefined ? "" : "finer "}point ${ref.u + 1}, ${ref.v + 1}`);
-      fields.forEach((field, k) => field.show(point?.at[k] ?? null));
+      fields.forEach((field, k) => {
+        const value = point?.at[k];
+        field.show(value ?? null);
+        setAttribute(field.input, "title", value === undefined ? about(k) : `${value}. ${about(k)}`);
+      });
       axis.show(solid.axis);
       pad.show(nudgeUnit(surface));
     },
