@@ -82,6 +82,23 @@ test("in a page that is zoomed to 400 % the tools and the zoom box lie on the st
   assert.ok(zoom.y >= stage.y && zoom.y + zoom.height <= tools.y && tools.y + tools.height <= stage.y + stage.height, JSON.stringify([stage, tools, zoom]));
 });
 
+test("the arrows of the sheet are as large as a finger's buttons, and lie on none of its numbers", async (t) => {
+  for (const options of [phone, smallest]) {
+    const demo = await open(t, "", options);
+    await demo.still();
+    for (const id of ["sheet-up", "sheet-down"]) {
+      const box = await demo.byId(id).boundingBox();
+      assert.ok(box !== null && box.width >= 44 && box.height >= 44, `${id}: ${JSON.stringify(box)}`);
+      // What a finger finds on them, near their corners, is the button.
+      const found = await demo.byId(id).evaluate((button) => {
+        const { left, top, right, bottom } = button.getBoundingClientRect();
+        return [left + 2, right - 2].flatMap((x) => [top + 2, bottom - 2].map((y) => button.contains(document.elementFromPoint(x, y))));
+      });
+      assert.deepEqual(found, [true, true, true, true], id);
+    }
+  }
+});
+
 test("the number that the page opens with, and the Bézier's beside it, are in sight without scrolling", async (t) => {
   const demo = await open(t, "", phone);
   await demo.still();

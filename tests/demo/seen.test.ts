@@ -163,6 +163,22 @@ for (const colorScheme of ["light", "dark"] as const) {
   });
 }
 
+/** What of a part of the page is narrower than its text: labels, numbers, choices and selects. */
+function cutIn(demo: Demo, part: string): Promise<string[]> {
+  return demo.page.evaluate((selector) => {
+    const pen = document.createElement("canvas").getContext("2d");
+    const needed = (element: Element): number => {
+      if (!(element instanceof HTMLSelectElement) || pen === null) return element.scrollWidth;
+      pen.font = getComputedStyle(element).font;
+      return pen.measureText(element.selectedOptions[0]?.text ?? "").width + 16;
+    };
+    const whole = [...document.querySelectorAll(selector)].find((element) => element.checkVisibility());
+    const all = [...whole?.querySelectorAll(".field-label, .number, .select, .choice span") ?? []].filter((element) => element.checkVisibility() && element.clientWidth > 1);
+    const [width, most] = [whole?.scrollWidth ?? NaN, whole?.clientWidth ?? NaN];
+    return [...all.filter((element) => needed(element) > element.clientWidth).map((element) => element.getAttribute("data-testid") ?? element.textContent), ...(width <= most ? [] : [`the whole: ${width} of ${most}`])];
+  }, part);
+}
+
 test("with text twice as large on a phone every number, choice and select of the panel can be read to its end", async (t) => {
   const demo = await open(t, "#/curve?sample=heart", phone);
   await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
@@ -173,18 +189,17 @@ test("with text twice as large on a phone every number, choice and select of the
     await demo.page.evaluate(() => document.querySelector<HTMLElement>('[data-testid="stage"]')?.focus());
     await demo.press("]");
     await demo.still();
-    const cut = await demo.page.evaluate(() => {
-      const pen = document.createElement("canvas").getContext("2d");
-      const needed = (element: Element): number => {
-        if (!(element instanceof HTMLSelectElement) || pen === null) return element.scrollWidth;
-        pen.font = getComputedStyle(element).font;
-        return pen.measureText(element.selectedOptions[0]?.text ?? "").width + 16;
-      };
-      const panel = document.querySelector(".panel-scroll");
-      const all = [...document.querySelectorAll(".panel-scroll :is(.number, .select, .choice span)")].filter((element) => element.checkVisibility());
-      const [width, most] = [panel?.scrollWidth ?? NaN, panel?.clientWidth ?? NaN];
-      return [...all.filter((element) => needed(element) > element.clientWidth + 1 && element.clientWidth > 0).map((element) => element.getAttribute("data-testid") ?? element.textContent), ...(width > most ? [`the panel: ${width} of ${most}`] : [])];
-    });
-    assert.deepEqual(cut, [], mode);
+    assert.deepEqual(await cutIn(demo, ".panel-scroll"), [], mode);
   }
+});
+
+test("with text twice as large on a phone what is chosen in the export dialog can be read to its end, and so can the sheet's slider when it is down", async (t) => {
+  const demo = await open(t, "#/trace?sample=trace-logo", phone);
+  await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
+  await demo.still();
+  assert.deepEqual(await cutIn(demo, ".sheet-peek .field"), []);
+  await demo.press("Control+e");
+  await demo.byId("export-dialog").waitFor();
+  await demo.still();
+  assert.deepEqual(await cutIn(demo, ".dialog-body"), []);
 });
