@@ -36,8 +36,8 @@ export function registerFileActions(shell: Shell): void {
   add("share", "Copy a link", "File", [], copying(({ linkCopy }) => linkCopy(shell)));
   add("help", "Help", "Help", ["?"], dialog(() => import("./dialogs/help-dialog.ts"), ({ openHelp }) => openHelp(shell)));
   add("save-json", "Download JSON", "File", ["Mod+S"], () => {
-    const stem = editor.state.value.curve.sample ?? "expline";
-    io.download(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" }));
+    const { value } = editor.state;
+    io.download(`${value[value.mode].sample ?? "expline"}.json`, new Blob([writeState(editor.getState())], { type: "application/json" }));
   });
   add("copy", "Copy as SVG", "Edit", ["Mod+C"], copying(({ svgCopy }) => svgCopy(shell)), shown);
   add("cut", "Cut contours", "Edit", ["Mod+X"], copying(({ svgCut }) => svgCut(shell)), drawn);
