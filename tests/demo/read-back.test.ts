@@ -1,9 +1,14 @@
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { test } from "node:test";
+import { TensorSurface } from "expline";
 import { siRust } from "simple-icons";
+import { Mesh, type BufferGeometry, type Object3D } from "three";
+import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { boxDiagonal, directedDistance, useBrowser, type Demo, type Pair } from "./page.ts";
 
-/** What leaves the page, read by who knows nothing of it: the browser's own paths. */
+/** What leaves the page, read by who knows nothing of it: the browser's own paths, and the loaders of three.js. */
 
 const { open } = useBrowser();
 
@@ -82,5 +87,54 @@ for (const [name, hash, picture] of WORKS) {
     assert.equal(read.length, metrics.contours);
     const length = read.reduce((sum, each) => sum + each.length, 0);
     assert.ok(Math.abs(length - metrics.length) <= 1e-3 * metrics.length, `${length} and ${metrics.length}`);
+  });
+}
+
+async function downloaded(demo: Demo, id: string): Promise<Buffer> {
+  const [download] = await Promise.all([demo.page.waitForEvent("download"), demo.byId(id).click()]);
+  return readFile(await download.path());
+}
+
+function geometryIn(scene: Object3D): BufferGeometry {
+  const found: BufferGeometry[] = [];
+  scene.traverse((part) => {
+    if (part instanceof Mesh) found.push(part.geometry as BufferGeometry);
+  });
+  const [geometry] = found;
+  assert.ok(geometry !== undefined && found.length === 1, "there is one mesh");
+  return geometry;
+}
+
+/** The numbers of an attribute, a triangle's corner after the other; text knows no −0. */
+function corners(geometry: BufferGeometry, name: "position" | "normal"): Float32Array {
+  const unfolded = geometry.index === null ? geometry : geometry.toNonIndexed();
+  return Float32Array.from(unfolded.getAttribute(name).array, (value) => value + 0);
+}
+
+for (const sample of ["surf-sphere", "surf-torus", "surf-paraboloid", "surf-cylinder"]) {
+  test(`OBJ and glTF of ${sample}, edited, are to three.js the vertices, normals and triangles of the library's mesh`, async (t) => {
+    const demo = await open(t, `#/surface?sample=${sample}`, { viewport: { width: 1030, height: 560 } });
+    await demo.focusStage();
+    for (let i = 0; i < 11; i += 1) await demo.press("]");
+    await demo.byId("surf-x").fill("1.2345678901");
+    await demo.press("Enter");
+    const { u, v, net } = (await demo.state()).surface;
+    assert.ok(u !== undefined && v !== undefined);
+    const surface = new TensorSurface({ u, v, net: net.flatMap(({ x, y, z }) => [x, y, z]) });
+    await demo.byId("btn-export").click();
+    await demo.byId("export-dialog").waitFor();
+    await demo.slide("export-sides", 5);
+    const vertices = ([from, to]: readonly [number, number], closed: boolean): number => (to - from) * 5 + (closed ? 0 : 1);
+    const mesh = surface.mesh(vertices(surface.domain.u, u.closed), vertices(surface.domain.v, v.closed));
+    const spread = (list: ArrayLike<number>): Float32Array => Float32Array.from([...mesh.indices].flatMap((i) => [0, 1, 2].map((k) => (list[3 * i + k] ?? NaN) + 0)));
+    const [obj, gltf] = [await downloaded(demo, "export-obj"), await downloaded(demo, "export-gltf")];
+    const { scene } = await new GLTFLoader().parseAsync(new Uint8Array(gltf).buffer, "");
+    for (const [kind, read] of [["OBJ", new OBJLoader().parse(obj.toString())], ["glTF", scene]] as const) {
+      const geometry = geometryIn(read);
+      assert.deepEqual(corners(geometry, "position"), spread(mesh.positions), `positions of the ${kind}`);
+      assert.deepEqual(corners(geometry, "normal"), spread(mesh.normals), `normals of the ${kind}`);
+    }
+    assert.deepEqual(Array.from(geometryIn(scene).getIndex()?.array ?? []), Array.from(mesh.indices));
+    assert.equal(await demo.textOf("export-triangles"), String(mesh.indices.length / 3));
   });
 }
