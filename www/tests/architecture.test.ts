@@ -126,6 +126,14 @@ test("only the kernel imports the library, only the shaded view the 3-D library,
   assert.deepEqual(strays, []);
 });
 
+test("every custom property that a style sheet uses is set by one, or by the program", () => {
+  const styles = filesUnder(join(source, "styles"), ".css").map((file) => readFileSync(file, "utf8")).join("\n");
+  const program = filesUnder(source, ".ts").map((file) => readFileSync(file, "utf8")).join("\n");
+  const used = new Set([...styles.matchAll(/var\((--[\w-]+)/gu)].map(([, name = ""]) => name));
+  const isSet = (name: string): boolean => new RegExp(`${name}:`, "u").test(styles) || program.includes(`"${name}"`);
+  assert.deepEqual([...used].filter((name) => !isSet(name)), []);
+});
+
 test("only tokens.css holds literal colours", () => {
   const strays = filesUnder(join(source, "styles"), ".css")
     .filter((file) => !file.endsWith("tokens.css"))
