@@ -387,3 +387,22 @@ test("who looks at something else while a control goes is left where they are", 
   await demo.idle();
   assert.equal(await demo.page.evaluate(() => document.activeElement?.getAttribute("data-testid")), "tab-fit");
 });
+
+test("a file is saved, and Export opened, out of a field, with what was typed there", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.focusStage();
+  await demo.press("]");
+  const field = demo.byId("pt-x");
+  await field.fill("123.5");
+  const [download] = await Promise.all([demo.page.waitForEvent("download"), demo.page.keyboard.press("Control+s")]);
+  assert.equal(download.suggestedFilename(), "heart.json");
+  assert.equal((await demo.point(0)).x, 123.5);
+  // Letters and editing keys stay the field's.
+  await field.fill("7");
+  await demo.press("Control+a", "Control+z", "c");
+  assert.equal((await demo.point(0)).x, 123.5);
+  await field.fill("77");
+  await demo.press("Control+e");
+  await demo.byId("export-dialog").waitFor();
+  assert.equal((await demo.point(0)).x, 77);
+});

@@ -74,11 +74,7 @@ export function follow(editor: Editor, route: Route): void {
     if (route.mode === "surface" && route.sample !== surface.sample) nameSurface(editor, route.sample);
   }
   editor.patch({ mode: route.mode });
-  if (unknown) sayUnknown(editor, route.sample);
-}
-
-function sayUnknown(editor: Editor, sample: string | null): void {
-  editor.notify({ kind: "toast", text: `There is no sample called ${sample}.` });
+  if (unknown) editor.notify({ kind: "toast", text: `There is no sample called ${route.sample}.` });
 }
 
 /** An empty net is the sample that it names, still to be opened. */
@@ -124,11 +120,8 @@ export function connectRoutes(editor: Editor, until: AbortSignal): void {
   write(false);
 }
 
-/** The first document for an address: the sample it names, or the landing one. False if it names none that exists. */
-export function openRoute(editor: Editor, route: Route): boolean {
-  const found = route.mode !== "curve" || route.sample === null || curveSample(route.sample) !== undefined;
-  openSample(editor, route.mode === "curve" && found ? route.sample ?? landingSample : landingSample);
-  if (!found) sayUnknown(editor, route.sample);
-  follow(editor, found ? route : { ...route, sample: null });
-  return found;
+/** The first document for an address: the sample it names, or the landing one. */
+export function openRoute(editor: Editor, route: Route): void {
+  if (route.mode !== "curve" || !openSample(editor, route.sample ?? landingSample)) openSample(editor, landingSample);
+  follow(editor, route);
 }

@@ -22,18 +22,14 @@ export function listenToKeys(options: KeyOptions): void {
   window.addEventListener("blur", () => keys.upAll(), { signal });
 }
 
-/**
- * "nowhere" is the page itself; whoever keeps the keys (a text field, a dialog, a menu) leaves none to the stage, but that of
- * a field whose number is in force already, Undo means the drawing.
- */
-type Focus = "stage" | "nowhere" | "widget" | "keeper" | "settled";
+/** "nowhere" is the page itself; whoever keeps the keys (a dialog, a menu) leaves none to the stage, and a text field few. */
+type Focus = "stage" | "nowhere" | "widget" | "keeper" | "field";
 
 function focusIn(surface: HTMLElement): Focus {
   const { activeElement } = document;
   // Letters choose among the options of a list.
   if (activeElement?.closest("dialog, [role=menu], select") != null) return "keeper";
-  // What a field shows by itself is its default: what is typed differs from it until it is taken.
-  if (takesText(activeElement)) return activeElement instanceof HTMLInputElement && activeElement.value === activeElement.defaultValue ? "settled" : "keeper";
+  if (takesText(activeElement)) return "field";
   if (surface.contains(activeElement)) return "stage";
   return activeElement === document.body ? "nowhere" : "widget";
 }
@@ -44,6 +40,8 @@ const widgetKeys: ReadonlySet<string> = new Set(["Enter", "Tab", "ArrowLeft", "A
 /** Asks whoever is dragged outside of the stage to go back to where it was; who does so prevents the default. */
 export const dragTakenBack = "dragtakenback";
 const takesBack = (): boolean => !dispatchEvent(new Event(dragTakenBack, { cancelable: true }));
+
+const travels = ({ id }: Action): boolean => id === "undo" || id === "redo";
 
 class Keys {
   readonly #options: KeyOptions;
@@ -64,7 +62,7 @@ class Keys {
     if (event.key === "Escape" && takesBack()) return event.preventDefault();
     const focus = focusIn(this.#options.surface);
     if (focus === "keeper") return;
-    if (focus === "settled") return this.#travel(event);
+    if (focus === "field") return this.#fromField(event);
     if (event.key === "Escape") return this.#escape(focus);
     if (this.#steers(event.key, focus)) return event.preventDefault();
     if (focus === "widget" && widgetKeys.has(event.key)) return;
@@ -103,14 +101,18 @@ class Keys {
     return true;
   }
 
-  /** Undo and Redo alone. */
-  #travel(event: KeyboardEvent): void {
+  /** Files, for what is typed belongs to them; and where the field's number is in force already, Undo means the drawing. */
+  #fromField(event: KeyboardEvent): void {
+    const field = document.activeElement as HTMLInputElement;
     const action = actionOf(this.#editor, event);
-    if (action?.id === "undo" || action?.id === "redo") this.#act(action, event, "stage");
+    if (action?.group === "File") field.dispatchEvent(new Event("change"));
+    // What a field shows by itself is its default: what is typed differs from it until it is taken.
+    else if (action === undefined || !travels(action) || field.value !== field.defaultValue) return;
+    this.#act(action, event, "stage");
   }
 
   #act(action: Action, event: KeyboardEvent, focus: Focus): void {
-    if ((action.id === "undo" || action.id === "redo") && (takesBack() || this.#input.busy)) {
+    if (travels(action) && (takesBack() || this.#input.busy)) {
       // Undo during a drag takes back the drag, and no more than that, even when there is nothing else to undo.
       event.preventDefault();
       if (this.#input.busy) this.#input.cancel();
