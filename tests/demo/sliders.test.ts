@@ -109,3 +109,15 @@ test("Escape during the drag keeps the selection; without a drag, after keys on 
   assert.notEqual(await comb.inputValue(), "0");
   assert.equal(await chosen(), 0);
 });
+
+test("a slider without anything to move says what it will be once there is", async (t) => {
+  const demo = await open(t, "#/curve?sample=blob-16");
+  await demo.slide("level", 2);
+  await demo.byId("btn-clear").click();
+  await demo.idle();
+  assert.deepEqual([await demo.byId("level").inputValue(), await demo.byId("level").isDisabled()], [String((await demo.state()).curve.level), true]);
+  await demo.click("tab-fit");
+  await demo.byId("btn-clear").click();
+  await demo.idle();
+  assert.deepEqual([await demo.byId("fit-smoothing").inputValue(), await demo.byId("fit-smoothing").isDisabled()], [String((await demo.state()).fit.smoothing), true]);
+});

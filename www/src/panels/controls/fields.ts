@@ -130,7 +130,8 @@ export interface SliderOptions extends FieldOptions {
   write(position: number): void;
 }
 
-export function sliderField(options: SliderOptions): Field<number> & { readonly input: HTMLInputElement } {
+/** It shows its value where it cannot be moved, too: who shows it switches it off afterwards. */
+export function sliderField(options: SliderOptions): { readonly element: HTMLElement; readonly input: HTMLInputElement; show(value: number): void } {
   const id = freshId(options.testid);
   const input = h(
     "input",
@@ -142,9 +143,8 @@ export function sliderField(options: SliderOptions): Field<number> & { readonly 
   output.style.minWidth = `max(1.5rem, min(${Math.max(...texts.map(({ length }) => length))}ch, 40vw))`;
   let shown = 0;
   let { write } = options;
-  const show = (value: number | null): void => {
-    input.disabled = value === null;
-    if (value === null) return;
+  const show = (value: number): void => {
+    input.disabled = false;
     shown = value;
     if (Number(input.value) !== value) input.value = String(value);
     setText(output, options.print(value));

@@ -214,7 +214,10 @@ export function levelRow(editor: Editor): Row & { readonly element: HTMLElement 
   return {
     element: level.element,
     elements: [level.element],
-    update: ({ curve, sketch }) => level.show(curve.contours.length === 0 ? null : sketch.proposal?.level ?? curve.level),
+    update({ curve, sketch }) {
+      level.show(sketch.proposal?.level ?? curve.level);
+      level.input.disabled = curve.contours.length === 0;
+    },
   };
 }
 

@@ -111,7 +111,8 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
     element: h("section", { class: "section", "aria-label": "Smoothing" }, smoothing.element, chart.element, target.element, value, beyond),
     update(state: EditorState) {
       const { fit } = state;
-      smoothing.show(fit.data.length === 0 ? null : fit.smoothing);
+      smoothing.show(fit.smoothing);
+      smoothing.input.disabled = fit.data.length === 0;
       chart.update(state);
       target.show(fit.target);
       const field = fit.target === "off" ? null : most[fit.target];
