@@ -406,3 +406,27 @@ test("a file is saved, and Export opened, out of a field, with what was typed th
   await demo.byId("export-dialog").waitFor();
   assert.equal((await demo.point(0)).x, 77);
 });
+
+test("who goes back in the browser in the middle of a drag finds the drawing as it was, and no dialog of where they were", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-star");
+  await demo.click("tab-curve");
+  await demo.withoutSnap();
+  const { curve } = await demo.state();
+  const { x, y } = await demo.centre("pt-0-0");
+  await demo.page.mouse.move(x, y);
+  await demo.page.mouse.down();
+  await demo.page.mouse.move(x + 40, y - 20, { steps: 4 });
+  await demo.page.goBack();
+  await demo.until(() => demo.state(), ({ mode }) => mode === "fit", "Fit is there");
+  await demo.page.mouse.move(x + 80, y - 40, { steps: 4 });
+  await demo.page.mouse.up();
+  await demo.idle();
+  assert.deepEqual((await demo.state()).curve, curve);
+  await demo.page.goForward();
+  await demo.until(() => demo.state(), ({ mode }) => mode === "curve", "Curve is there");
+  assert.ok(await demo.byId("btn-undo").isDisabled(), "there is nothing to take back");
+  await demo.byId("btn-export").click();
+  await demo.byId("export-dialog").waitFor();
+  await demo.page.goBack();
+  await demo.byId("export-dialog").waitFor({ state: "detached" });
+});

@@ -90,6 +90,8 @@ function listenToPointers({ editor, input, frame, surface, until }: Options): vo
     editor.patch({ hover: hitTest(editor.state.value, placeOf(event, editor), "mouse") });
   });
   frame.add("input", () => input.flush());
+  // Who goes back in the browser, or presses a tab with another finger, takes what is dragged out of sight.
+  editor.state.subscribe(({ mode }, before) => mode !== before.mode && input.busy && input.cancel(), { until });
 }
 
 function takeHold(surface: HTMLElement, event: PointerEvent): void {

@@ -35,8 +35,12 @@ export function openDialog(options: DialogOptions, ...children: readonly Child[]
     h("div", { class: "dialog-frame" }, h("div", { class: "dialog-head" }, title, close), body, foot),
   );
   const before = document.activeElement;
+  const gone = new AbortController();
   close.addEventListener("click", () => element.close());
+  // It was opened over what the address named.
+  window.addEventListener("hashchange", () => element.close(), { signal: gone.signal });
   element.addEventListener("close", () => {
+    gone.abort();
     // Messages that were said over the dialog outlive it.
     document.querySelector("[data-region=stage]")?.append(...element.querySelectorAll(":scope > .toast-stack"));
     element.remove();
