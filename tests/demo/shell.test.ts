@@ -430,3 +430,17 @@ test("who goes back in the browser in the middle of a drag finds the drawing as 
   await demo.page.goBack();
   await demo.byId("export-dialog").waitFor({ state: "detached" });
 });
+
+test("what was chosen in a list is taken back by Undo's keys at once, and letters still choose in it", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  const space = demo.byId("space");
+  await space.focus();
+  await demo.press("ArrowDown");
+  await demo.until(() => demo.state(), ({ curve }) => curve.space === "hyperbolic", "another space");
+  await demo.press("Control+z");
+  await demo.until(() => demo.state(), ({ curve }) => curve.space === "trigonometric", "the space of before");
+  assert.equal(await space.inputValue(), "trigonometric");
+  await demo.press("p");
+  await demo.until(() => demo.state(), ({ curve }) => curve.space === "polynomial", "the space of that letter");
+  assert.equal(await demo.byId("tool-pen").getAttribute("aria-pressed"), "false");
+});

@@ -25,10 +25,10 @@ export function listenToKeys(options: KeyOptions): void {
 /** "nowhere" is the page itself; whoever keeps the keys (a dialog, a menu) leaves none to the stage, and a text field few. */
 type Focus = "stage" | "nowhere" | "widget" | "keeper" | "field";
 
-function focusIn(surface: HTMLElement): Focus {
+function focusIn(surface: HTMLElement, mod: boolean): Focus {
   const { activeElement } = document;
-  // Letters choose among the options of a list.
-  if (activeElement?.closest("dialog, [role=menu], select") != null) return "keeper";
+  // Letters choose among the options of a list; with Ctrl they do not.
+  if (activeElement?.closest(`dialog, [role=menu]${mod ? "" : ", select"}`) != null) return "keeper";
   if (takesText(activeElement)) return "field";
   if (surface.contains(activeElement)) return "stage";
   return activeElement === document.body ? "nowhere" : "widget";
@@ -57,10 +57,11 @@ class Keys {
   }
 
   down(event: KeyboardEvent): void {
-    this.#input.modifiers(modifiersOf(event));
+    const modifiers = modifiersOf(event);
+    this.#input.modifiers(modifiers);
     if (event.defaultPrevented || event.isComposing) return;
     if (event.key === "Escape" && takesBack()) return event.preventDefault();
-    const focus = focusIn(this.#options.surface);
+    const focus = focusIn(this.#options.surface, modifiers.mod);
     if (focus === "keeper") return;
     if (focus === "field") return this.#fromField(event);
     if (event.key === "Escape") return this.#escape(focus);
