@@ -40,7 +40,7 @@ export function chosenOptions(curve: CurveDocument): ExportOptions {
 const rounded = (length: number): number => Number(length.toPrecision(6));
 
 const kinds: readonly (readonly [ExportSegments, string])[] = [
-  ["arcs", "Arcs + cubics"],
+  ["arcs", "Arcs where exact + cubics"],
   ["cubics", "Cubics only"],
   ["polyline", "Polyline"],
 ];
@@ -60,7 +60,7 @@ function segmentsField(choose: Choose): HTMLElement {
   const field = selectField({
     label: "Segments",
     testid: "export-segments",
-    about: "The kinds of segment in the path: arcs where the curve is one exactly.",
+    about: "The kinds of segment in the path.",
     options: kinds,
     write: (segments) => choose({ segments }),
   });
