@@ -97,6 +97,17 @@ fn a_rough_line_of_many_points_has_far_fewer_knots_than_a_polyline_has_vertices(
 }
 
 #[test]
+fn eight_rough_lines_have_less_than_two_fifths_of_the_knots_that_polylines_have_vertices() {
+    let (mut knots, mut corners) = (0, 0);
+    for points in (11..15).flat_map(|seed| [coast(seed), course(seed)]) {
+        let tolerance = 0.012 * size_of(&points);
+        knots += within(&points, tolerance).knots.len();
+        corners += vertices(&points, tolerance);
+    }
+    assert!(5 * knots < 2 * corners, "{knots} knots, {corners} vertices");
+}
+
+#[test]
 fn strokes_of_a_hatching_keep_a_tolerance_whatever_joins_them() {
     for seed in [6, 7] {
         let points = hatching(seed);

@@ -17,3 +17,4 @@ mod start;
 mod straight;
 mod stray;
 mod trim;
+mod window;

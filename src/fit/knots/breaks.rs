@@ -80,10 +80,15 @@ impl Breaks {
         self.straight.clear();
         for &t in added {
             let t = if t >= self.end { t - self.end } else { t };
-            let place = self.at.partition_point(|&other| other < t);
-            self.at.insert(place, t);
-            self.multiplicity.insert(place, self.smoothest);
+            self.insert(self.at.partition_point(|&other| other < t), t, self.smoothest);
         }
+    }
+
+    /// Makes a knot the one of number k, where no piece is straight.
+    #[inline(never)]
+    pub(super) fn insert(&mut self, k: usize, t: f64, multiplicity: usize) {
+        self.at.insert(k, t);
+        self.multiplicity.insert(k, multiplicity);
     }
 
     /// Takes knot k away: what it parted stays straight if both were.

@@ -3,6 +3,7 @@
 
 use super::breaks::{Breaks, HIGHEST};
 use super::free_knots::{FreeKnots, Located, Removal, in_order};
+use super::window::Window;
 use crate::numerics::order::{sort_by_number, sort_in_place};
 
 /// What one number of the curve costs in the sum of squares: a knot has its place and two numbers per multiplicity.
@@ -153,27 +154,40 @@ pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option
     trials.extend(corners(fitted, &gains, price));
     trials.extend(clusters(fitted.breaks(), fitted.points()));
     for breaks in trials {
-        let mut trial = FreeKnots::new(breaks, data);
-        let mut damping = 1e-2;
-        for _ in 0..8 {
-            if price.total(&trial) < now {
-                return Some(settle(trial, data, worth, 1));
-            }
-            let sliding = trial.slide_equations();
-            // It will not get there.
-            if HOPE * sliding.promise() < price.total(&trial) - now {
-                break;
-            }
-            match trial.slid(&sliding, data, &mut damping) {
-                Some(moved) => trial = moved,
-                None => break,
-            }
-        }
-        if price.total(&trial) < now {
-            return Some(trial);
+        if let Some(trial) = tried(fitted.breaks(), breaks, data, price, now) {
+            return Some(settle(trial, data, worth, 1));
         }
     }
     None
+}
+
+/// A fit with other knots that is cheaper than `now`, if they slide to one. Where there are many, those beside the change
+/// slide first, and are to make up for it on their own.
+#[inline(never)]
+fn tried(before: &Breaks, after: Breaks, data: &Located, price: Price, now: f64) -> Option<FreeKnots> {
+    let Some(window) = Window::of(before, &after, data) else { return slid_below(after, data, price, now) };
+    let was = price.total(&FreeKnots::new(window.before.clone(), &window.data));
+    let part = slid_below(window.after.clone(), &window.data, price, was)?;
+    slid_below(window.whole(part.breaks()), data, price, now)
+}
+
+/// A fit that is cheaper than `now`, if knots slide to one from here.
+#[inline(never)]
+fn slid_below(breaks: Breaks, data: &Located, price: Price, now: f64) -> Option<FreeKnots> {
+    let mut trial = FreeKnots::new(breaks, data);
+    let mut damping = 1e-2;
+    for _ in 0..8 {
+        if price.total(&trial) < now {
+            return Some(trial);
+        }
+        let sliding = trial.slide_equations();
+        // It will not get there.
+        if HOPE * sliding.promise() < price.total(&trial) - now {
+            return None;
+        }
+        trial = trial.slid(&sliding, data, &mut damping)?;
+    }
+    (price.total(&trial) < now).then_some(trial)
 }
 
 /// Changes that are known to pay, the best one of every knot, the best first.

@@ -15,6 +15,7 @@ mod view;
 
 use self::beginning::Resort;
 use self::evening::Evening;
+use self::last_knots::Fewer;
 use self::view::View;
 use super::breaks::Breaks;
 use super::foot_points::{Distances, Spline};
@@ -134,6 +135,7 @@ pub(in crate::fit) struct Sparsest {
     /// Whether straight pieces were looked for.
     straightened: bool,
     resort: Resort,
+    fewer: Fewer,
 }
 
 /// What the curve is to be, and what is known of its points.

@@ -1,7 +1,8 @@
 //! How a search begins: with even knots, with the corners of a polyline, or with the knots of a fit that has too many.
 
 use super::{
-    Aim, Asked, Effort, Evening, FEW, Found, LEAP, PER_NUMBER, Phase, Plan, Pricing, Sparsest, View, WARMING,
+    Aim, Asked, Effort, Evening, FEW, Fewer, Found, LEAP, PER_NUMBER, Phase, Plan, Pricing, Sparsest, View,
+    WARMING,
 };
 use crate::error::Result;
 use crate::fit::convex::problem::interpolating_grid;
@@ -79,6 +80,7 @@ impl Sparsest {
             at_first: 0,
             straightened: false,
             resort: Resort::None,
+            fewer: Fewer::default(),
         }
     }
 

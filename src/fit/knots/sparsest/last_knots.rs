@@ -5,29 +5,51 @@ use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::foot_points::{Distances, Spline};
 use crate::fit::knots::free_knots::{FreeKnots, Located, Removal};
 use crate::fit::knots::search::{Price, apart, hopes, settle};
+use crate::fit::knots::window::Window;
 use crate::numerics::order::sort_by_number;
 
 /// So many knots are not taken away one by one, but one in so many of them at once.
 const MANY: usize = 24;
 const BOLD: [usize; 3] = [4, 8, 16];
+/// Steps that the others take to make up for one that is gone.
+const MOST_SLIDES: usize = 6;
+
+/// The best fit's knots without many of them or one, in ways of which the first promise most.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Fewer {
+    trials: Vec<Breaks>,
+    /// The best fit's sum of squares.
+    squares: f64,
+}
+
+impl Fewer {
+    /// Some ways, and then those without one knot.
+    #[inline(never)]
+    fn of(mut trials: Vec<Breaks>, fitted: &FreeKnots, removals: &[Removal], most: usize) -> Self {
+        trials.extend(hopes(fitted.breaks(), removals, Price(fitted.squares.max(1e-300)), most));
+        Self { trials, squares: fitted.squares }
+    }
+}
 
 impl Sparsest {
     /// How many knots are tried when fewer are hardly possible: all of them where that takes little time.
-    pub(super) fn trials(&self) -> usize {
-        match self.view.full.points.len() {
-            0..=800 => 40,
-            801..=FEW => 4,
-            _ => 1,
+    pub(super) fn trials(&self, best: &Found) -> usize {
+        match (self.view.full.points.len(), self.is_rough(best)) {
+            (0..=800, _) | (801..=FEW, true) => 40,
+            (_, true) => 10,
+            (801..=FEW, false) => 4,
+            (_, false) => 1,
         }
     }
 
     /// Takes the next of the cheapest knots away from the best fit and lets the others slide.
     pub(super) fn lighter(&mut self, next: usize, target: f64) -> Phase {
         let Some(best) = &self.found else { return Phase::Done };
-        let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &self.view.seen);
-        let dear = Price(fitted.squares.max(1e-300));
-        let trials = hopes(fitted.breaks(), &fitted.removals(), dear, self.trials());
-        let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
+        if next == 0 {
+            let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &self.view.seen);
+            self.fewer = Fewer::of(Vec::new(), &fitted, &fitted.removals(), self.trials(best));
+        }
+        let Some(breaks) = self.fewer.trials.get(next).cloned() else { return Phase::Done };
         let trial = settle(FreeKnots::new(breaks, &self.view.seen), &self.view.seen, 1e-4 * target, 12);
         if trial.squares > target || Spline::of(&trial).wild_piece(&self.view.full, trial.squares).is_some() {
             return Phase::Last(next + 1);
@@ -46,30 +68,53 @@ impl Sparsest {
         let (Aim::Tolerance(tolerance), Some(best)) = (self.asked.aim, &self.found) else {
             return Phase::Done;
         };
-        let averaged = self.view.is_averaged();
-        let mut seen = if averaged { self.view.seen.clone() } else { best.located.clone() };
-        let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &seen);
-        let removals = fitted.removals();
-        let dear = Price(fitted.squares.max(1e-300));
-        let mut trials = bold(fitted.breaks(), &removals);
-        trials.extend(hopes(fitted.breaks(), &removals, dear, self.trials()));
-        let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
-        let trial = settle(FreeKnots::new(breaks, &seen), &seen, 1e-3 * fitted.squares, 6);
-        let mut spline = Spline::of(&trial);
-        let distances = minimax(&mut spline, &mut seen, tolerance);
-        let pulled =
-            if distances.largest <= tolerance { spline.pulled_back(&mut seen, self.leash()) } else { None };
-        if pulled.is_some_and(|distances| distances.largest <= tolerance) {
-            let mut located = if averaged { self.view.following(self.fitted.breaks()) } else { seen };
-            located.weights.clone_from(&self.view.full.weights);
-            let distances = spline.project_beyond(&mut located, 3, self.near());
-            if distances.largest <= tolerance {
-                self.found = Some(Found { spline, located, distances, wild: None });
-                return Phase::Last(0);
-            }
+        let seen = if self.view.is_averaged() { &self.view.seen } else { &best.located };
+        let whole = &best.spline.space.breaks;
+        if next == 0 {
+            let fitted = FreeKnots::new(whole.clone(), seen);
+            let removals = fitted.removals();
+            self.fewer = Fewer::of(bold(whole, &removals), &fitted, &removals, self.trials(best));
         }
-        Phase::Last(next + 1)
+        let worth = 1e-3 * self.fewer.squares;
+        let Some(fewer) = self.fewer.trials.get(next) else { return Phase::Done };
+        let slid = match Window::of(whole, fewer, seen) {
+            Some(window) => made_up_for(window, worth, tolerance),
+            None => Some(fewer.clone()),
+        };
+        match slid.and_then(|breaks| self.within(breaks, seen.clone(), worth, tolerance)) {
+            Some(found) => {
+                self.found = Some(found);
+                Phase::Last(0)
+            }
+            None => Phase::Last(next + 1),
+        }
     }
+
+    /// A fit that keeps the tolerance, if knots slide to one from here.
+    fn within(&self, breaks: Breaks, mut seen: Located, worth: f64, tolerance: f64) -> Option<Found> {
+        let trial = settle(FreeKnots::new(breaks, &seen), &seen, worth, MOST_SLIDES);
+        let mut spline = Spline::of(&trial);
+        if minimax(&mut spline, &mut seen, tolerance).largest > tolerance {
+            return None;
+        }
+        let pulled = spline.pulled_back(&mut seen, self.leash())?;
+        if pulled.largest > tolerance {
+            return None;
+        }
+        let averaged = self.view.is_averaged();
+        let mut located = if averaged { self.view.following(self.fitted.breaks()) } else { seen };
+        located.weights.clone_from(&self.view.full.weights);
+        let distances = spline.project_beyond(&mut located, 3, self.near());
+        (distances.largest <= tolerance).then_some(Found { spline, located, distances, wild: None })
+    }
+}
+
+/// The knots of the whole curve, where those of a part slide to where it keeps the tolerance.
+#[inline(never)]
+fn made_up_for(mut window: Window, worth: f64, tolerance: f64) -> Option<Breaks> {
+    let part = settle(FreeKnots::new(window.after.clone(), &window.data), &window.data, worth, MOST_SLIDES);
+    let largest = minimax(&mut Spline::of(&part), &mut window.data, tolerance).largest;
+    (largest <= tolerance).then(|| window.whole(part.breaks()))
 }
 
 /// Many of the cheapest knots gone at once, where there are many; the boldest first.
@@ -88,6 +133,7 @@ fn bold(breaks: &Breaks, removals: &[Removal]) -> Vec<Breaks> {
 
 /// Makes the largest distance smaller: far points weigh more from round to round (Lawson's way). The spline with the
 /// smallest largest distance is kept.
+#[inline(never)]
 pub(super) fn minimax(spline: &mut Spline, data: &mut Located, enough: f64) -> Distances {
     if data.weights.is_empty() {
         data.weights = vec![1.0; data.points.len()];
