@@ -102,7 +102,8 @@ test("a finger can press what a message offers, and what takes it away", async (
   await imported(demo, "M0 0C50 0 100 50 100 100S50 200 0 100z");
   for (const each of await demo.page.locator(".toast button").all()) {
     const box = await each.boundingBox();
-    assert.ok(box !== null && Math.min(box.width, box.height) >= 44, JSON.stringify(box));
+    // Positions of what stands at parts of a pixel are rounded.
+    assert.ok(box !== null && Math.min(box.width, box.height) >= 43.99, JSON.stringify(box));
   }
 });
 

@@ -130,8 +130,14 @@ struct Change {
 /// A cheaper fit, by one round of changes, or `None` when nothing that is tried makes it cheaper.
 ///
 /// First come changes whose effect is known, all that are apart at once. Where there is none, knots are taken away or
-/// joined that would have to be made up for by the others' sliding, one trial after another.
-pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option<FreeKnots> {
+/// joined that would have to be made up for by the others' sliding, one trial after another; `near_first` by that of those
+/// beside them.
+pub(super) fn better(
+    fitted: &FreeKnots,
+    data: &Located,
+    price: Price,
+    near_first: bool,
+) -> Option<FreeKnots> {
     let worth = 0.05 * price.0;
     let now = price.total(fitted);
     let removals = fitted.removals();
@@ -154,21 +160,21 @@ pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option
     trials.extend(corners(fitted, &gains, price));
     trials.extend(clusters(fitted.breaks(), fitted.points()));
     for breaks in trials {
-        if let Some(trial) = tried(fitted.breaks(), breaks, data, price, now) {
+        let breaks = if near_first { slid_near(fitted.breaks(), breaks, data, price) } else { Some(breaks) };
+        if let Some(trial) = breaks.and_then(|breaks| slid_below(breaks, data, price, now)) {
             return Some(settle(trial, data, worth, 1));
         }
     }
     None
 }
 
-/// A fit with other knots that is cheaper than `now`, if they slide to one. Where there are many, those beside the change
-/// slide first, and are to make up for it on their own.
+/// Other knots, where there are many with those beside the change slid to where these make up for it; nothing if they do not.
 #[inline(never)]
-fn tried(before: &Breaks, after: Breaks, data: &Located, price: Price, now: f64) -> Option<FreeKnots> {
-    let Some(window) = Window::of(before, &after, data) else { return slid_below(after, data, price, now) };
+fn slid_near(before: &Breaks, after: Breaks, data: &Located, price: Price) -> Option<Breaks> {
+    let Some(window) = Window::of(before, &after, data) else { return Some(after) };
     let was = price.total(&FreeKnots::new(window.before.clone(), &window.data));
     let part = slid_below(window.after.clone(), &window.data, price, was)?;
-    slid_below(window.whole(part.breaks()), data, price, now)
+    Some(window.whole(part.breaks()))
 }
 
 /// A fit that is cheaper than `now`, if knots slide to one from here.

@@ -307,6 +307,17 @@ impl Sparsest {
         fits * one * if hurried { HURRY } else { 1.0 }
     }
 
+    /// A cheaper fit at the present price, or the end of that.
+    fn refine(&mut self) -> Phase {
+        let near_first = matches!(self.asked.aim, Aim::Tolerance(_));
+        let Some(fitted) = better(&self.fitted, &self.view.seen, self.pricing.price, near_first) else {
+            return Phase::Polish;
+        };
+        self.fitted = fitted;
+        self.effort.warming = self.effort.warming.saturating_sub(1);
+        Phase::Refine
+    }
+
     /// One round of the search.
     #[inline(never)]
     pub(in crate::fit) fn step(&mut self) {
@@ -333,14 +344,7 @@ impl Sparsest {
                     if smooth { Phase::Lighten } else { Phase::Refine }
                 }
             },
-            Phase::Refine if !tired => match better(&self.fitted, &self.view.seen, self.pricing.price) {
-                Some(fitted) => {
-                    self.fitted = fitted;
-                    self.effort.warming = self.effort.warming.saturating_sub(1);
-                    Phase::Refine
-                }
-                None => Phase::Polish,
-            },
+            Phase::Refine if !tired => self.refine(),
             Phase::Lighten if !tired => self.lighten(),
             Phase::Polish => self.polish(),
             Phase::Last(next) if !tired => self.last(next),

@@ -34,7 +34,8 @@ impl Fewer {
 impl Sparsest {
     /// How many knots are tried when fewer are hardly possible: all of them where that takes little time.
     pub(super) fn trials(&self, best: &Found) -> usize {
-        match (self.view.full.points.len(), self.is_rough(best)) {
+        let rough = matches!(self.asked.aim, Aim::Tolerance(_)) && self.is_rough(best);
+        match (self.view.full.points.len(), rough) {
             (0..=800, _) | (801..=FEW, true) => 40,
             (_, true) => 10,
             (801..=FEW, false) => 4,

@@ -92,7 +92,7 @@ impl Sparsest {
         // With the parameters at the feet some knots have become needless.
         if !self.evening.even && self.effort.repairs <= 3 && !self.effort.is_tired() {
             self.fitted = FreeKnots::new(breaks, &self.view.seen);
-            trial = better(&self.fitted, &self.view.seen, self.pricing.price);
+            trial = better(&self.fitted, &self.view.seen, self.pricing.price, false);
         }
         match trial {
             Some(trial) => {
