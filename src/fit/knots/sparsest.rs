@@ -135,6 +135,7 @@ pub(in crate::fit) struct Sparsest {
     /// Whether straight pieces were looked for.
     straightened: bool,
     resort: Resort,
+    /// Ways to do without a knot of the best, while these are tried.
     fewer: Fewer,
 }
 
