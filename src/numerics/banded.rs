@@ -21,8 +21,8 @@ pub struct Bordered {
     corner: Vec<f64>,
 }
 
-/// What replaces a pivot that vanished: the unknown is held at zero.
-const HELD: f64 = 1e150;
+/// The inverse of what replaces a pivot that vanished: the unknown is held at zero.
+const HELD: f64 = 1e-300;
 
 impl Bordered {
     /// The zero matrix of that shape.
@@ -97,8 +97,9 @@ impl Bordered {
         }
     }
 
-    /// Cholesky's factors, in place. A pivot of at most `floor` times what stood on the diagonal holds its unknown at
-    /// zero; how many did is the answer. O(n·(half + border)²).
+    /// The factors L D L′, in place: of each pivot its inverse, and under it L D, which is what the elimination leaves
+    /// there. Neither roots nor divisions are then on the way from one unknown to the next. A pivot of at most `floor`
+    /// times what stood on the diagonal holds its unknown at zero; how many did is the answer. O(n·(half + border)²).
     pub fn factor(&mut self, floor: f64) -> usize {
         let border = self.border;
         let diagonal: Vec<f64> = (0..border).map(|i| self.corner[i * border + i]).collect();
@@ -109,10 +110,10 @@ impl Bordered {
         };
         for (j, own) in diagonal.iter().enumerate() {
             let (head, rest) = self.corner[j * border..].split_at_mut(border);
-            held += usize::from(scale_by_pivot(head, j, own * floor));
+            held += usize::from(invert(&mut head[j], own * floor));
             for (k, column) in rest.chunks_exact_mut(border).enumerate() {
                 let first = j + 1 + k;
-                subtract(&mut column[first..], head[first], &head[first..]);
+                subtract(&mut column[first..], head[first] * head[j], &head[first..]);
             }
         }
         held
@@ -133,10 +134,10 @@ impl Bordered {
         let mut j = 0;
         while j < self.band {
             let (head, rest) = self.columns[j * stride..].split_at_mut(stride);
-            held += usize::from(scale_by_pivot(head, 0, least[j]));
+            held += usize::from(invert(&mut head[0], least[j]));
             if j + 1 == self.band || half == 0 {
                 for k in 0..border {
-                    let factor = head[half + 1 + k];
+                    let factor = head[half + 1 + k] * head[0];
                     subtract(
                         &mut self.corner[k * border + k..(k + 1) * border],
                         factor,
@@ -147,12 +148,15 @@ impl Bordered {
                 continue;
             }
             let (second, rest) = rest.split_at_mut(stride);
-            subtract(&mut second[..half], head[1], &head[1..=half]);
-            subtract(&mut second[half + 1..], head[1], &head[half + 1..]);
-            held += usize::from(scale_by_pivot(second, 0, least[j + 1]));
+            let own = head[1] * head[0];
+            subtract(&mut second[..half], own, &head[1..=half]);
+            subtract(&mut second[half + 1..], own, &head[half + 1..]);
+            held += usize::from(invert(&mut second[0], least[j + 1]));
+            let inverses = (head[0], second[0]);
             let (head_border, second_border) = (&head[half + 1..], &second[half + 1..]);
             for (k, column) in rest.chunks_exact_mut(stride).take(half).enumerate() {
-                let (a, b) = (head.get(k + 2).copied().unwrap_or(0.0) * in_band(k + 2, half), second[k + 1]);
+                let coupled = head.get(k + 2).copied().unwrap_or(0.0) * in_band(k + 2, half);
+                let (a, b) = (coupled * inverses.0, second[k + 1] * inverses.1);
                 if k + 2 <= half {
                     subtract_two(
                         &mut column[..half - 1 - k],
@@ -166,7 +170,7 @@ impl Bordered {
                 subtract_two(&mut column[half + 1..], a, head_border, b, second_border);
             }
             for k in 0..border {
-                let (a, b) = (head_border[k], second_border[k]);
+                let (a, b) = (head_border[k] * inverses.0, second_border[k] * inverses.1);
                 let column = &mut self.corner[k * border + k..(k + 1) * border];
                 subtract_two(column, a, &head_border[k..], b, &second_border[k..]);
             }
@@ -185,13 +189,13 @@ impl Bordered {
         }
         for j in 0..self.border {
             let column = &self.corner[j * self.border..][..self.border];
-            let value = border[j] / column[j];
+            let value = border[j] * column[j];
             border[j] = value;
             subtract(&mut border[j + 1..], value, &column[j + 1..]);
         }
         for j in (0..self.border).rev() {
             let column = &self.corner[j * self.border..][..self.border];
-            border[j] = (border[j] - dot(&border[j + 1..], &column[j + 1..])) / column[j];
+            border[j] -= dot(&border[j + 1..], &column[j + 1..]) * column[j];
         }
         match self.shape() {
             (5, 4) => known_shape::backward::<5, 4, 10>(&self.columns, band, border),
@@ -202,17 +206,22 @@ impl Bordered {
 
     fn forward(&self, band: &mut [f64], border: &mut [f64]) {
         for (j, column) in self.columns.chunks_exact(self.stride()).enumerate() {
-            let value = band[j] / column[0];
+            let value = band[j] * column[0];
             band[j] = value;
             subtract(&mut band[j + 1..], value, &column[1..=self.half]);
             subtract(border, value, &column[self.half + 1..]);
         }
     }
 
+    /// What was found last is added last: all other products do not wait for it.
     fn backward(&self, band: &mut [f64], border: &[f64]) {
         for (j, column) in self.columns.chunks_exact(self.stride()).enumerate().rev() {
-            let known = dot(&band[j + 1..], &column[1..=self.half]) + dot(border, &column[self.half + 1..]);
-            band[j] = (band[j] - known) / column[0];
+            let mut known = dot(border, &column[self.half + 1..]);
+            let near = self.half.min(self.band - 1 - j);
+            for (value, weight) in band[j + 1..=j + near].iter().zip(&column[1..=near]).rev() {
+                known += value * weight;
+            }
+            band[j] -= known * column[0];
         }
     }
 
@@ -263,17 +272,11 @@ fn least_pivots(columns: &[f64], stride: usize, floor: f64) -> Vec<f64> {
     columns.iter().step_by(stride).map(|diagonal| diagonal * floor).collect()
 }
 
-/// Divides a column by the root of its pivot, or holds the unknown where the pivot is not above `least`.
+/// Puts its inverse in the place of a pivot, or holds the unknown where the pivot is not above `least`; answers whether.
 #[inline]
-fn scale_by_pivot(column: &mut [f64], at: usize, least: f64) -> bool {
-    let pivot = column[at];
-    let held = pivot.is_nan() || pivot <= least.max(f64::MIN_POSITIVE);
-    let root = if held { HELD } else { pivot.sqrt() };
-    column[at] = root;
-    let inverse = 1.0 / root;
-    for value in &mut column[at + 1..] {
-        *value *= inverse;
-    }
+fn invert(pivot: &mut f64, least: f64) -> bool {
+    let held = pivot.is_nan() || *pivot <= least.max(f64::MIN_POSITIVE);
+    *pivot = if held { HELD } else { 1.0 / *pivot };
     held
 }
 

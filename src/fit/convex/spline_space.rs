@@ -128,13 +128,26 @@ impl KnotSpace {
 
     /// The interval that holds t, and t as seen from there (closed: moved by periods). Right-continuous, except that
     /// the end of an open domain belongs to the last interval.
+    #[inline]
     pub fn locate(&self, t: f64) -> (usize, f64) {
+        self.locate_after(0, t)
+    }
+
+    /// The same, which is known at once where it is interval `before` or the one after it: whoever walks along the knots
+    /// searches for none.
+    pub(crate) fn locate_after(&self, before: usize, t: f64) -> (usize, f64) {
         let mut t = t;
         if self.closed {
             let (first, period) = (self.padded[self.degree], self.end - self.start);
             t -= period * ((t - first) / period).floor();
             if t >= first + period {
                 t = first;
+            }
+        }
+        for k in before..(before + 2).min(self.interval_count()) {
+            let (from, to) = self.interval(k);
+            if from <= t && t < to {
+                return (k, t);
             }
         }
         let starts = &self.padded[self.degree..self.degree + self.interval_count()];

@@ -238,10 +238,12 @@ pub(super) fn elements(
     let mut locals = Vec::with_capacity(breaks.len() * parts.len());
     let highest = parts[parts.len() - 1].space.degree();
     let (mut sample, mut next) = (0, 0);
+    let mut intervals = vec![0; parts.len()];
     for pair in breaks.windows(2) {
         let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
-        for part in parts {
-            let (interval, moved) = part.space.locate(middle);
+        for (part, before) in parts.iter().zip(&mut intervals) {
+            let (interval, moved) = part.space.locate_after(*before, middle);
+            *before = interval;
             let knots = part.space.around(interval);
             locals.push((interval, polynomials(knots, part.space.degree(), moved, half)));
         }
