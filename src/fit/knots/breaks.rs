@@ -104,6 +104,14 @@ impl Breaks {
         self.multiplicity.remove(k);
     }
 
+    /// The same without these knots, which are listed in ascending order.
+    #[inline(never)]
+    pub(super) fn without(&self, knots: &[usize]) -> Self {
+        let mut fewer = self.clone();
+        knots.iter().rev().for_each(|&k| fewer.remove(k));
+        fewer
+    }
+
     /// Whether piece s is to be straight.
     pub(super) fn is_straight(&self, s: usize) -> bool {
         self.straight.get(s) == Some(&true)

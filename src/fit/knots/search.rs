@@ -79,11 +79,15 @@ pub(super) fn thinner(fitted: &FreeKnots, data: &Located, price: Price) -> Optio
     if doomed.is_empty() {
         return None;
     }
-    let mut breaks = breaks.clone();
-    for &k in doomed.iter().rev() {
-        breaks.remove(k);
-    }
-    Some(FreeKnots::new(breaks, data))
+    Some(FreeKnots::new(breaks.without(&doomed), data))
+}
+
+/// All knots, those first that cost least to take away.
+#[inline(never)]
+pub(super) fn cheapest(removals: &[Removal]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..removals.len()).collect();
+    sort_by_number(&mut order, &|&k| removals[k].whole);
+    order
 }
 
 /// The first `most` of a list of knots of which none is beside another, in ascending order.
@@ -245,9 +249,7 @@ pub(super) fn hopes(breaks: &Breaks, removals: &[Removal], price: Price, most: u
     for (k, removal) in removals.iter().enumerate() {
         let cost = price.of(breaks.multiplicity[k]);
         if breaks.len() > least(breaks) && removal.whole < 4.0 * cost {
-            let mut fewer = breaks.clone();
-            fewer.remove(k);
-            found.push((removal.whole / cost, fewer));
+            found.push((removal.whole / cost, breaks.without(&[k])));
         }
         if let Some((closeness, one)) = joined(breaks, removals, k) {
             found.push((closeness, one));

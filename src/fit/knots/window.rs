@@ -145,8 +145,7 @@ mod tests {
         for closed in [false, true] {
             let (breaks, data) = wavy(closed);
             for k in 0..breaks.len() {
-                let mut fewer = breaks.clone();
-                fewer.remove(k);
+                let fewer = breaks.without(&[k]);
                 let window = Window::of(&breaks, &fewer, &data).expect("one knot of forty is a small part");
                 assert_eq!(window.whole(&window.before).multiplicity.len(), breaks.len());
                 for (before, after) in [(&breaks, &window.before), (&fewer, &window.after)] {
@@ -167,8 +166,7 @@ mod tests {
             let squares = |breaks: &Breaks, data: &Located| FreeKnots::new(breaks.clone(), data).squares();
             let now = squares(&breaks, &data);
             for k in 0..breaks.len() {
-                let mut fewer = breaks.clone();
-                fewer.remove(k);
+                let fewer = breaks.without(&[k]);
                 let window = Window::of(&breaks, &fewer, &data).expect("one knot of forty is a small part");
                 let whole = squares(&fewer, &data) - now;
                 let part = squares(&window.after, &window.data) - squares(&window.before, &window.data);
@@ -180,8 +178,7 @@ mod tests {
     #[test]
     fn a_change_of_much_of_the_curve_is_not_looked_at_alone() {
         let (breaks, data) = wavy(true);
-        let mut fewer = breaks.clone();
-        (0..10).for_each(|k| fewer.remove(k));
+        let fewer = breaks.without(&Vec::from_iter(0..10));
         assert!(Window::of(&breaks, &fewer, &data).is_none());
     }
 }

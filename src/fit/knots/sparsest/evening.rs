@@ -7,9 +7,8 @@ use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::even::by_length;
 use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
-use crate::fit::knots::search::{apart, clusters, least, settle};
+use crate::fit::knots::search::{apart, cheapest, clusters, least, settle};
 use crate::fit::report::weight;
-use crate::numerics::order::sort_by_number;
 
 /// Steps towards a curve whose points are free to slide, before knots are taken from it.
 const ROUNDS: usize = 2;
@@ -109,9 +108,7 @@ impl Sparsest {
     /// Knots to try, the boldest first: many gone, few gone, one gone, some joined to a corner.
     fn fewer(&self, fitted: &FreeKnots) -> Vec<Breaks> {
         let breaks = fitted.breaks();
-        let removals = fitted.removals();
-        let mut cheapest: Vec<usize> = (0..breaks.len()).collect();
-        sort_by_number(&mut cheapest, &|&k| removals[k].whole);
+        let cheapest = cheapest(&fitted.removals());
         let room = breaks.len().saturating_sub(least(breaks));
         let mut doomed = Vec::new();
         for share in [4, 8] {
@@ -121,12 +118,7 @@ impl Sparsest {
             }
         }
         doomed.extend(cheapest.iter().take(SINGLES.min(room)).map(|&k| vec![k]));
-        let without = |doomed: &Vec<usize>| {
-            let mut fewer = breaks.clone();
-            doomed.iter().rev().for_each(|&k| fewer.remove(k));
-            fewer
-        };
-        let mut trials: Vec<Breaks> = doomed.iter().map(without).collect();
+        let mut trials: Vec<Breaks> = doomed.iter().map(|knots| breaks.without(knots)).collect();
         trials.extend(clusters(&self.sharpening(breaks), self.view.full.points.len()));
         trials
     }

@@ -4,9 +4,8 @@ use super::{Aim, FEW, Found, Phase, Sparsest};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::foot_points::{Distances, Spline};
 use crate::fit::knots::free_knots::{FreeKnots, Located, Removal};
-use crate::fit::knots::search::{Price, apart, hopes, settle};
+use crate::fit::knots::search::{Price, apart, cheapest, hopes, settle};
 use crate::fit::knots::window::Window;
-use crate::numerics::order::sort_by_number;
 
 /// So many knots are not taken away one by one, but one in so many of them at once.
 const MANY: usize = 24;
@@ -120,15 +119,8 @@ fn made_up_for(mut window: Window, worth: f64, tolerance: f64) -> Option<Breaks>
 
 /// Many of the cheapest knots gone at once, where there are many; the boldest first.
 fn bold(breaks: &Breaks, removals: &[Removal]) -> Vec<Breaks> {
-    let mut cheapest: Vec<usize> = (0..breaks.len()).collect();
-    sort_by_number(&mut cheapest, &|&k| removals[k].whole);
-    let without = |share: usize| {
-        let mut fewer = breaks.clone();
-        for &k in apart(&cheapest, breaks.len(), breaks.len() / share).iter().rev() {
-            fewer.remove(k);
-        }
-        fewer
-    };
+    let cheapest = cheapest(removals);
+    let without = |share: usize| breaks.without(&apart(&cheapest, breaks.len(), breaks.len() / share));
     if breaks.len() < MANY { Vec::new() } else { BOLD.map(without).to_vec() }
 }
 

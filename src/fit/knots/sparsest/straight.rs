@@ -178,16 +178,16 @@ impl Sparsest {
         while k < best.spline.space.breaks.len() {
             let breaks = &best.spline.space.breaks;
             let (before, after) = best.spline.space.sides(k);
-            let between = breaks.is_straight(before) && breaks.is_straight(after);
-            let mut fewer = breaks.clone();
-            fewer.remove(k);
-            if between && work > JOINING * MOST_WORK {
+            if !breaks.is_straight(before) || !breaks.is_straight(after) {
+                k += 1;
+                continue;
+            }
+            if work > JOINING * MOST_WORK {
                 break;
             }
-            work += if between { self.work_of(TRIAL, breaks) } else { 0.0 };
-            let found =
-                if between && breaks.len() > least(breaks) { self.on(fewer, &best, worth) } else { None };
-            match found {
+            work += self.work_of(TRIAL, breaks);
+            let fewer = (breaks.len() > least(breaks)).then(|| breaks.without(&[k]));
+            match fewer.and_then(|fewer| self.on(fewer, &best, worth)) {
                 Some(found) => best = found,
                 None => k += 1,
             }
