@@ -1,5 +1,6 @@
 //! Many points seen from afar: averages of neighbours, to look for knots with.
 
+use super::breaks::Breaks;
 use super::free_knots::Located;
 use crate::numerics::Point;
 
@@ -31,7 +32,7 @@ pub(super) fn followed(
     data: &Located,
     count: usize,
     [before, after]: [&[f64]; 2],
-    (closed, end): (bool, f64),
+    breaks: &Breaks,
 ) -> Vec<f64> {
     let mut parameters = data.parameters.clone();
     let (bins, size) = (before.len(), data.points.len().div_ceil(count.max(1)).max(1));
@@ -41,25 +42,17 @@ pub(super) fn followed(
     }
     let moved = |bin: usize| {
         let by = after[bin] - before[bin];
-        if closed { by - end * libm::round(by / end) } else { by }
+        if breaks.closed { by - breaks.end * libm::round(by / breaks.end) } else { by }
     };
     let mut moves = Vec::with_capacity(bins + 2);
-    moves.push(moved(if closed { bins - 1 } else { 0 }));
+    moves.push(moved(if breaks.closed { bins - 1 } else { 0 }));
     moves.extend((0..bins).map(moved));
-    moves.push(moved(if closed { 0 } else { bins - 1 }));
+    moves.push(moved(if breaks.closed { 0 } else { bins - 1 }));
     for (m, t) in parameters.iter_mut().enumerate() {
         let place = (2 * m + 1 + size) as f64 / (2 * size) as f64;
         let bin = place as usize;
         *t += moves[bin] + (moves[bin + 1] - moves[bin]) * (place - bin as f64);
-        *t = if !closed {
-            t.max(0.0).min(end)
-        } else if *t < 0.0 {
-            *t + end
-        } else if *t >= end {
-            *t - end
-        } else {
-            *t
-        };
+        *t = if breaks.closed { breaks.wrapped(*t) } else { t.max(0.0).min(breaks.end) };
     }
     parameters
 }
@@ -67,6 +60,7 @@ pub(super) fn followed(
 #[cfg(test)]
 mod tests {
     use super::{averages, followed};
+    use crate::fit::knots::breaks::Breaks;
     use crate::fit::knots::free_knots::Located;
     use crate::numerics::Point;
 
@@ -79,7 +73,7 @@ mod tests {
         for closed in [true, false] {
             let moved = |t: f64| t + 3.0 * (t / end * core::f64::consts::TAU).sin();
             let after: Vec<f64> = before.iter().map(|&t| moved(t)).collect();
-            let found = followed(&data, 16, [&before, &after], (closed, end));
+            let found = followed(&data, 16, [&before, &after], &Breaks::even(3, closed, end, 4));
             for (t, &got) in data.parameters.iter().zip(&found) {
                 let off = (got - moved(*t)).abs();
                 assert!(off.min(end - off) < 0.6 && (0.0..=end).contains(&got), "{got} for {}", moved(*t));
@@ -87,7 +81,8 @@ mod tests {
         }
         // Over the seam and back.
         let after: Vec<f64> = before.iter().map(|&t| (t + 97.0) % end).collect();
-        for (t, got) in data.parameters.iter().zip(followed(&data, 16, [&before, &after], (true, end))) {
+        let round = Breaks::even(3, true, end, 4);
+        for (t, got) in data.parameters.iter().zip(followed(&data, 16, [&before, &after], &round)) {
             let off = (got - (t + 97.0) % end).abs();
             assert!(off.min(end - off) < 1e-9, "{got} for {t}");
         }

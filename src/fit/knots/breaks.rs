@@ -117,6 +117,20 @@ impl Breaks {
         self.straight.get(s) == Some(&true)
     }
 
+    /// A parameter brought back over the seam of a closed curve, if it is beyond it by less than a whole round.
+    #[inline(always)]
+    pub(super) fn wrapped(&self, t: f64) -> f64 {
+        if !self.closed {
+            t
+        } else if t < 0.0 {
+            t + self.end
+        } else if t >= self.end {
+            t - self.end
+        } else {
+            t
+        }
+    }
+
     /// The distance from knot k to the next one; the last knot's is to the first one or to the end.
     pub(in crate::fit) fn gap_after(&self, k: usize) -> f64 {
         match self.at.get(k + 1) {

@@ -169,18 +169,8 @@ impl Spline {
 
     /// t in the domain.
     fn within(&self, t: f64) -> f64 {
-        let end = self.space.breaks.end;
-        if !self.space.breaks.closed {
-            return t.max(0.0).min(end);
-        }
-        let t = if t < 0.0 {
-            t + end
-        } else if t >= end {
-            t - end
-        } else {
-            t
-        };
-        t.max(0.0).min(end)
+        let breaks = &self.space.breaks;
+        breaks.wrapped(t).max(0.0).min(breaks.end)
     }
 }
 

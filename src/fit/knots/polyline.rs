@@ -194,7 +194,7 @@ pub(super) fn through(vertices: &[usize], located: &Located, breaks: Breaks) -> 
         };
         for m in (from..from + passed).map(|m| m % all) {
             let t = start + way * share_of(ends, located.points[m]);
-            feet.parameters[m] = if breaks.closed && t >= breaks.end { t - breaks.end } else { t };
+            feet.parameters[m] = breaks.wrapped(t);
         }
     }
     Ok((joined(vertices, located, breaks)?, feet))

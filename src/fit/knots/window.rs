@@ -60,8 +60,7 @@ impl Window {
     pub(super) fn whole(&self, part: &Breaks) -> Breaks {
         let mut whole = self.rest.clone();
         for (t, &m) in part.at.iter().zip(&part.multiplicity) {
-            let t = self.start + t;
-            let t = if whole.closed && t >= whole.end { t - whole.end } else { t };
+            let t = whole.wrapped(self.start + t);
             whole.insert(whole.at.partition_point(|&other| other < t), t, m);
         }
         whole

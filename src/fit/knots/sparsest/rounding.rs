@@ -102,16 +102,7 @@ fn without_corners(breaks: &Breaks, slight: &[usize]) -> Breaks {
     for &k in slight {
         smooth.multiplicity[k] = smooth.sharpest;
         for way in [-BESIDE * breaks.gap_before(k), BESIDE * breaks.gap_after(k)] {
-            let t = breaks.at[k] + way;
-            added.push(if !breaks.closed {
-                t
-            } else if t < 0.0 {
-                t + breaks.end
-            } else if t >= breaks.end {
-                t - breaks.end
-            } else {
-                t
-            });
+            added.push(breaks.wrapped(breaks.at[k] + way));
         }
     }
     smooth.add(&added);

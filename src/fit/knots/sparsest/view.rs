@@ -40,7 +40,7 @@ impl View {
     /// All points, moved along the curve as their averages were.
     pub(super) fn following(&self, breaks: &Breaks) -> Located {
         let parameters = [&self.unmoved().parameters[..], &self.seen.parameters];
-        let parameters = followed(&self.full, self.averages, parameters, (breaks.closed, breaks.end));
+        let parameters = followed(&self.full, self.averages, parameters, breaks);
         Located { parameters, points: self.full.points.clone(), weights: self.full.weights.clone() }
     }
 }
