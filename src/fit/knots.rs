@@ -12,6 +12,7 @@ mod look;
 mod polyline;
 mod rounded;
 mod search;
+pub(super) mod space;
 pub(super) mod sparsest;
 mod start;
 mod straight;

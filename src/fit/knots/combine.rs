@@ -1,7 +1,8 @@
 //! Several splines as one of the highest degree: exactly, by polar forms.
 
-use super::breaks::{Breaks, HIGHEST, Polynomial, Space};
+use super::breaks::{Breaks, HIGHEST};
 use super::foot_points::Spline;
+use super::space::{Polynomial, Space};
 use crate::numerics::Vector;
 use crate::numerics::order::sort_by_number;
 

@@ -1,10 +1,11 @@
 //! Distances from points to a spline, and the spline that makes them small: the parameters of the points are free.
 //! (Where they go is in `feet`.)
 
-use super::breaks::{HIGHEST, Polynomial, STIFF, Space};
+use super::breaks::HIGHEST;
 use super::envelope::Envelope;
 use super::free_knots::{FreeKnots, Located, product};
 use super::look::{Look, Piece, taylor};
+use super::space::{Polynomial, STIFF, Space};
 use crate::numerics::{Point, Vector};
 
 /// How much less a distance along the curve counts than one across it.

@@ -1,10 +1,11 @@
 //! A polyline with its corners rounded off: near the points, and smooth wherever corners may not be. (D 13.17)
 
-use super::breaks::{Breaks, HIGHEST, Polynomial, Space};
+use super::breaks::{Breaks, HIGHEST};
 use super::combine::expressed;
 use super::foot_points::Spline;
 use super::free_knots::Located;
 use super::polyline::share_of;
+use super::space::{Polynomial, Space};
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::{Point, Vector};

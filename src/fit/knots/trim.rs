@@ -1,9 +1,10 @@
 //! Where a curve ends whose ends were free. (D 13.16)
 
-use super::breaks::{Breaks, Space};
+use super::breaks::Breaks;
 use super::combine::{expressed, sum_on};
 use super::foot_points::Spline;
 use super::free_knots::Located;
+use super::space::Space;
 use crate::error::Result;
 
 /// Pieces are not shorter than this part of the parameter's range.

@@ -9,11 +9,12 @@ mod sums;
 use self::growth::{Growths, Place};
 use self::sums::{Crowd, LENGTHS, Sums};
 use super::{PARTS, Spread, place, value};
-use crate::fit::knots::breaks::{Breaks, HIGHEST, STIFF};
+use crate::fit::knots::breaks::{Breaks, HIGHEST};
 use crate::fit::knots::envelope::Envelope;
 use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::look::taylor;
+use crate::fit::knots::space::STIFF;
 
 /// The most steps, and the most operations that one may take.
 const MOST_STEPS: usize = 6;

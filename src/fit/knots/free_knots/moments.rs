@@ -1,7 +1,8 @@
 //! Sums over the points of every piece: all that least squares needs to know of them.
 
 use super::Located;
-use crate::fit::knots::breaks::{HIGHEST, Polynomial, STIFF, Space};
+use crate::fit::knots::breaks::HIGHEST;
+use crate::fit::knots::space::{Polynomial, STIFF, Space};
 
 /// Sums over the points of one piece.
 #[derive(Clone, Copy, Debug, Default)]

@@ -2,8 +2,9 @@
 
 use super::moments::product;
 use super::{FreeKnots, Located};
-use crate::fit::knots::breaks::{Breaks, HIGHEST, Polynomial, derivative};
+use crate::fit::knots::breaks::{Breaks, HIGHEST};
 use crate::fit::knots::envelope::Envelope;
+use crate::fit::knots::space::{Polynomial, derivative};
 use crate::numerics::Point;
 use crate::numerics::lists::dot;
 
