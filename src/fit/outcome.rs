@@ -1,6 +1,6 @@
 //! What a fit gives back.
 
-use super::knots::foot_points::{Spline, derivative_of};
+use super::knots::spline::{Spline, derivative_of};
 use crate::curve::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
 use crate::generator::Space as Kind;

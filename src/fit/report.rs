@@ -1,8 +1,8 @@
 //! From splines near unit size to what the caller sees, in the caller's units.
 
 use super::knots::breaks::HIGHEST;
-use super::knots::foot_points::{Spline, derivative_of};
 use super::knots::free_knots::Located;
+use super::knots::spline::{Spline, derivative_of};
 use super::outcome::{Fit, FitStatus, Joints, Knot, Part};
 use super::outline::only;
 use super::samples::Samples;

@@ -10,8 +10,8 @@ use crate::fit::convex::solution::{self, Solution};
 use crate::fit::interior::settings::GLIMPSE;
 use crate::fit::interior::solver::Solver;
 use crate::fit::knots::combine::{Summand, combined};
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::sparsest::Sparsest;
+use crate::fit::knots::spline::Spline;
 use crate::numerics::Point;
 use crate::numerics::order::sort_by_number;
 

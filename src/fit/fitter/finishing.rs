@@ -10,9 +10,9 @@ use crate::fit::interior::gridless::{Freeing, Gridless};
 use crate::fit::interior::solver::Solver;
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::combine::combined;
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::sparsest::Sparsest;
+use crate::fit::knots::spline::Spline;
 
 /// Slides of the knots off the grid, where the gap that is asked for is not reached before: four times as many reach it
 /// in one more case of ten.

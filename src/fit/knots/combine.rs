@@ -1,8 +1,8 @@
 //! Several splines as one of the highest degree: exactly, by polar forms.
 
 use super::breaks::{Breaks, HIGHEST};
-use super::foot_points::Spline;
 use super::space::{Polynomial, Space};
+use super::spline::Spline;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_by_number;
 

@@ -4,13 +4,13 @@
 //! another evenly, the length of the curve gives them their parameters back, and all that they say counts (D 13.9).
 
 mod drift;
-mod spacing;
+mod spaced;
 
-pub(super) use self::spacing::Spaced;
+pub(super) use self::spaced::Spaced;
 use super::breaks::HIGHEST;
-use super::foot_points::Spline;
 use super::free_knots::{Located, in_order};
 use super::look::taylor;
+use super::spline::Spline;
 use crate::numerics::plane::{larger, smaller};
 
 /// Parts of a piece on which the length is a cubic of the parameter.

@@ -4,9 +4,9 @@
 //! instructions. A point whose foot leaves the piece goes its way alone.
 
 use super::breaks::HIGHEST;
-use super::foot_points::{Distances, Spline};
 use super::free_knots::Located;
 use super::look::{Look, Piece};
+use super::spline::{Distances, Spline};
 use crate::numerics::plane::{larger, smaller};
 use crate::numerics::{Point, Vector};
 

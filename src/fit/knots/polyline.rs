@@ -1,9 +1,9 @@
 //! The points' own corners: a polyline that no point is far from, as a spline whose knots are all corners.
 
 use super::breaks::Breaks;
-use super::foot_points::Spline;
 use super::free_knots::Located;
 use super::space::Space;
+use super::spline::Spline;
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::Point;

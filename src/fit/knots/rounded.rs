@@ -2,10 +2,10 @@
 
 use super::breaks::{Breaks, HIGHEST};
 use super::combine::expressed;
-use super::foot_points::Spline;
 use super::free_knots::Located;
 use super::polyline::share_of;
 use super::space::{Polynomial, Space};
+use super::spline::Spline;
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::{Point, Vector};

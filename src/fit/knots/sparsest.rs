@@ -10,7 +10,7 @@ mod polishing;
 mod rounding;
 mod runs;
 mod spacing;
-mod straight;
+mod straightening;
 mod view;
 
 use self::beginning::Resort;
@@ -18,9 +18,9 @@ use self::evening::Evening;
 use self::last_knots::Fewer;
 use self::view::View;
 use super::breaks::Breaks;
-use super::foot_points::{Distances, Spline};
 use super::free_knots::{FreeKnots, Located};
 use super::search::{Price, better, settle, thinner};
+use super::spline::{Distances, Spline};
 use super::stray::{Leash, WIDEST};
 use crate::fit::outcome::FitStatus;
 

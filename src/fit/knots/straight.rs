@@ -1,7 +1,7 @@
 //! Which pieces of a curve are as straight as their points can tell.
 
-use super::foot_points::Spline;
 use super::free_knots::Located;
+use super::spline::Spline;
 use crate::numerics::order::sort_by_number;
 
 /// This part of a piece is looked at, however short it is.

@@ -1,7 +1,7 @@
 //! Where a curve leaves the way of its points, and the way back. (D 13.16)
 
-use super::foot_points::{Distances, Pull, Spline, on_piece};
 use super::free_knots::Located;
+use super::spline::{Distances, Pull, Spline, on_piece};
 use crate::fit::report::{size_of, weight};
 use crate::numerics::order::sort_by_number;
 use crate::numerics::{Point, Vector};

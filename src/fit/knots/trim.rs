@@ -2,9 +2,9 @@
 
 use super::breaks::Breaks;
 use super::combine::{expressed, sum_on};
-use super::foot_points::Spline;
 use super::free_knots::Located;
 use super::space::Space;
+use super::spline::Spline;
 use crate::error::Result;
 
 /// Pieces are not shorter than this part of the parameter's range.

@@ -7,13 +7,13 @@ use super::{
 use crate::error::Result;
 use crate::fit::convex::problem::interpolating_grid;
 use crate::fit::knots::breaks::Breaks;
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::polyline::{Fewest, REACH};
 use crate::fit::knots::rounded::{Rounds, rounded};
 use crate::fit::knots::search::{Price, least};
+use crate::fit::knots::spline::Spline;
 use crate::fit::knots::stray::Leash;
-use crate::fit::knots::{polyline, start};
+use crate::fit::knots::{adding, polyline};
 use crate::fit::outcome::FitStatus;
 use crate::numerics::angle::sin_cos;
 
@@ -52,7 +52,7 @@ impl Sparsest {
     pub(in crate::fit) fn new(full: Located, plan: Plan, aim: Aim, noise: f64) -> Self {
         let view = if matches!(aim, Aim::Squares(_)) { View::of_all(full) } else { View::new(full) };
         let mut breaks =
-            start::even(plan.degree, plan.closed, plan.end, view.seen.points.len(), plan.smoothest);
+            adding::even(plan.degree, plan.closed, plan.end, view.seen.points.len(), plan.smoothest);
         // Sharper knots are cheap ways to bend; smooth ones are to come first.
         breaks.sharpest = if plan.free { plan.smoothest } else { plan.sharpest };
         let (least_turn, cornered) = (plan.least_turn, plan.sharpest == plan.degree);

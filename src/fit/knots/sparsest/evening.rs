@@ -5,9 +5,9 @@ use super::view::from_afar;
 use super::{AHEAD, Found, PER_NUMBER, Phase, Sparsest, WARMING};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::even::by_length;
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::{apart, cheapest, clusters, least, settle};
+use crate::fit::knots::spline::Spline;
 use crate::fit::report::weight;
 
 /// Steps towards a curve whose points are free to slide, before knots are taken from it.

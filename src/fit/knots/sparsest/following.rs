@@ -3,9 +3,9 @@
 use super::rounding::{SEEMING, slight_corners};
 use super::{Aim, Found, Sparsest};
 use crate::fit::knots::breaks::Breaks;
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::FreeKnots;
 use crate::fit::knots::search::{CORNER, clusters, hopes, settle};
+use crate::fit::knots::spline::Spline;
 
 /// Rounds of knots that slide and points that follow, and slides in one; slides where points stay.
 const ROUNDS: usize = 4;

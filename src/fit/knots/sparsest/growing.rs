@@ -1,10 +1,10 @@
 //! Knots are added until there are enough, looked at from afar where points are many.
 
 use super::{Aim, Phase, Sparsest};
+use crate::fit::knots::adding;
 use crate::fit::knots::breaks::Breaks;
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::FreeKnots;
-use crate::fit::knots::start;
+use crate::fit::knots::spline::Spline;
 
 /// How many averages a knot needs, of those that the search begins with, and how many times as many are looked at where that is too few, or
 /// where they hid something.
@@ -27,16 +27,16 @@ impl Sparsest {
     /// A round of adding knots where the points are farthest from the curve, or the end of that.
     pub(super) fn grow(&mut self) -> Phase {
         let denser = match self.asked.aim {
-            Aim::Noise(noise) => start::denser(&self.fitted, &self.view.seen, 2.0 * noise * noise),
+            Aim::Noise(noise) => adding::denser(&self.fitted, &self.view.seen, 2.0 * noise * noise),
             Aim::Squares(target) if self.fitted.squares > 0.5 * target => {
                 let count = self.view.seen.points.len().max(1) as f64;
-                start::denser(&self.fitted, &self.view.seen, 0.3 * target / count)
+                adding::denser(&self.fitted, &self.view.seen, 0.3 * target / count)
             }
             Aim::Squares(_) => None,
             Aim::Tolerance(tolerance) => {
                 let spline = Spline::of(&self.fitted);
                 spline.project(&mut self.view.seen, 2);
-                let breaks = start::closer(&spline, &self.view.seen, 0.6 * tolerance);
+                let breaks = adding::closer(&spline, &self.view.seen, 0.6 * tolerance);
                 breaks.map(|breaks| FreeKnots::new(breaks, &self.view.seen))
             }
         };

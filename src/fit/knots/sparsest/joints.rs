@@ -4,10 +4,10 @@ use super::last_knots::minimax;
 use super::rounding::{SEEMING, slight_corners};
 use super::{Aim, Found, MOST_WORK, Sparsest};
 use crate::fit::knots::breaks::Breaks;
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::CORNER;
 use crate::fit::knots::space::Span;
+use crate::fit::knots::spline::Spline;
 use crate::numerics::order::sort_by_number;
 use crate::numerics::plane::{larger, smaller};
 

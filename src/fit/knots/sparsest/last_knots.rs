@@ -2,9 +2,9 @@
 
 use super::{Aim, FEW, Found, Phase, Sparsest};
 use crate::fit::knots::breaks::Breaks;
-use crate::fit::knots::foot_points::{Distances, Spline};
 use crate::fit::knots::free_knots::{FreeKnots, Located, Removal};
 use crate::fit::knots::search::{Price, apart, cheapest, hopes, settle};
+use crate::fit::knots::spline::{Distances, Spline};
 use crate::fit::knots::window::Window;
 
 /// So many knots are not taken away one by one, but one in so many of them at once.

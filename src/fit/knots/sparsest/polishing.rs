@@ -1,11 +1,11 @@
 //! A fit whose points' parameters are free, and what follows from how near it comes.
 
 use super::{Aim, BACK, FEW, Found, LEAP, Phase, Sparsest};
+use crate::fit::knots::adding;
 use crate::fit::knots::breaks::Breaks;
-use crate::fit::knots::foot_points::{Distances, Spline};
 use crate::fit::knots::free_knots::FreeKnots;
 use crate::fit::knots::search::{better, least};
-use crate::fit::knots::start;
+use crate::fit::knots::spline::{Distances, Spline};
 use crate::fit::knots::stray::{Leash, WIDEST};
 use crate::fit::report::weight;
 
@@ -218,7 +218,7 @@ impl Sparsest {
     /// What follows from a first fit that breaks the tolerance: knots where it does.
     fn repaired(&mut self, found: Found, tolerance: f64) -> Phase {
         self.effort.repairs += 1;
-        let repaired = start::closer(&found.spline, &self.view.seen, 0.8 * tolerance);
+        let repaired = adding::closer(&found.spline, &self.view.seen, 0.8 * tolerance);
         let nearest = self.found.as_ref().is_none_or(|best| found.distances.largest < best.distances.largest);
         if nearest {
             self.found = Some(found);

@@ -2,8 +2,8 @@
 
 use super::{Aim, Phase, Sparsest};
 use crate::fit::knots::breaks::Breaks;
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::FreeKnots;
+use crate::fit::knots::spline::Spline;
 use crate::numerics::Vector;
 use crate::numerics::angle::sin_cos;
 

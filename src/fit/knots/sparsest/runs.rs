@@ -5,9 +5,9 @@ use crate::error::Result;
 use crate::fit::corners::Corner;
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::combine::{expressed, sum_on};
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::Located;
 use crate::fit::knots::space::{Polynomial, Space};
+use crate::fit::knots::spline::Spline;
 use crate::numerics::{Point, Vector};
 
 /// A smooth part of the curve, from where on it is in the whole, and what brings its ends to the corners.

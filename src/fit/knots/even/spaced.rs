@@ -11,10 +11,10 @@ use self::sums::{Crowd, LENGTHS, Sums};
 use super::{PARTS, Spread, place, value};
 use crate::fit::knots::breaks::{Breaks, HIGHEST};
 use crate::fit::knots::envelope::Envelope;
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::look::taylor;
 use crate::fit::knots::space::STIFF;
+use crate::fit::knots::spline::Spline;
 
 /// The most steps, and the most operations that one may take.
 const MOST_STEPS: usize = 6;

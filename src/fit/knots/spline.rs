@@ -1,5 +1,5 @@
-//! Distances from points to a spline, and the spline that makes them small: the parameters of the points are free.
-//! (Where they go is in `feet`.)
+//! A spline, and what points ask of it: their distances from it, and the spline near it that makes these small while their
+//! parameters are free. Where on the curve each point belongs is found in `feet`.
 
 use super::breaks::HIGHEST;
 use super::envelope::Envelope;

@@ -1,8 +1,8 @@
-//! Where a search for knots starts: more of them than anyone needs.
+//! Knots to begin a search with, more of them than anyone needs, and knots where points are too far from the curve.
 
 use super::breaks::Breaks;
-use super::foot_points::Spline;
 use super::free_knots::{FreeKnots, Located};
+use super::spline::Spline;
 
 /// Points per number of a curve at first.
 const SPARE: usize = 6;

@@ -8,9 +8,9 @@
 use super::growth::{Local, Place};
 use crate::fit::knots::breaks::HIGHEST;
 use crate::fit::knots::envelope::Envelope;
-use crate::fit::knots::foot_points::Across;
 use crate::fit::knots::free_knots::product;
 use crate::fit::knots::space::Polynomial;
+use crate::fit::knots::spline::Across;
 use crate::numerics::Vector;
 
 /// Points whose places in a part differ by less, in the mean of squares, are at one.

@@ -3,9 +3,9 @@
 use super::{Aim, Found, MOST_WORK, PER_NUMBER, Phase, Sparsest};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::even::by_length;
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::{least, settle};
+use crate::fit::knots::spline::Spline;
 use crate::fit::knots::straight::bends;
 
 /// How many pieces are tried alone where all together are too many.

@@ -2,9 +2,9 @@
 
 use crate::fit::knots::breaks::HIGHEST;
 use crate::fit::knots::even::PARTS;
-use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::look::{Piece, taylor};
 use crate::fit::knots::space::{Polynomial, derivative};
+use crate::fit::knots::spline::Spline;
 use crate::numerics::Vector;
 
 /// One number for each coordinate of each coefficient of a piece: x₀, y₀, x₁, …
