@@ -31,6 +31,8 @@ const BACK: f64 = 4.0;
 const WARMING: usize = 8;
 /// What a number of the curve costs, in units of the noise's variance.
 const PER_NUMBER: f64 = 3.0;
+/// The share of a number's price that makes knots slide once more.
+const EASILY: f64 = 0.1;
 /// More points than this are searched in a hurry.
 const FEW: usize = 2000;
 /// With a knot for fewer points than this a line is rough.
@@ -308,6 +310,19 @@ impl Sparsest {
         fits * one * if hurried { HURRY } else { 1.0 }
     }
 
+    /// Knots that are not worth their price gone, or the end of that: the others slide to where they belong.
+    fn thin(&mut self) -> Phase {
+        let price = self.pricing.price;
+        if let Some(fitted) = thinner(&self.fitted, &self.view.seen, price) {
+            self.fitted = fitted;
+            return Phase::Thin;
+        }
+        let smooth = self.fitted.breaks().sharpest < self.sharpest;
+        let most = if smooth { 4 } else { 6 };
+        self.fitted = settle(self.fitted.clone(), &self.view.seen, EASILY * price.0, most);
+        if smooth { Phase::Lighten } else { Phase::Refine }
+    }
+
     /// A cheaper fit at the present price, or the end of that.
     fn refine(&mut self) -> Phase {
         let near_first = matches!(self.asked.aim, Aim::Tolerance(_));
@@ -332,19 +347,7 @@ impl Sparsest {
         let (tired, was) = (self.effort.is_tired(), self.phase);
         self.phase = match was {
             Phase::Grow if !tired => self.grow(),
-            Phase::Thin if !tired => match thinner(&self.fitted, &self.view.seen, self.pricing.price) {
-                Some(fitted) => {
-                    self.fitted = fitted;
-                    Phase::Thin
-                }
-                None => {
-                    let worth = 0.1 * self.pricing.price.0;
-                    let smooth = self.fitted.breaks().sharpest < self.sharpest;
-                    let most = if smooth { 4 } else { 6 };
-                    self.fitted = settle(self.fitted.clone(), &self.view.seen, worth, most);
-                    if smooth { Phase::Lighten } else { Phase::Refine }
-                }
-            },
+            Phase::Thin if !tired => self.thin(),
             Phase::Refine if !tired => self.refine(),
             Phase::Lighten if !tired => self.lighten(),
             Phase::Polish => self.polish(),

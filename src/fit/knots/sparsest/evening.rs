@@ -2,7 +2,7 @@
 //! evenly that is known along the curve, too, not only across it.
 
 use super::view::from_afar;
-use super::{AHEAD, Found, PER_NUMBER, Phase, Sparsest, WARMING};
+use super::{AHEAD, EASILY, Found, PER_NUMBER, Phase, Sparsest, WARMING};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::even::by_length;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
@@ -21,8 +21,6 @@ const PACE: f64 = 2.0;
 const HOPELESS: f64 = 20.0;
 /// The cheapest knots that are tried one by one.
 const SINGLES: usize = 4;
-/// The share of a number's price that makes another slide.
-const EASILY: f64 = 0.1;
 /// How many numbers' worth points that were free all the time must be ahead of those of a search that began with corners.
 const FAR_AHEAD: f64 = 45.0;
 

@@ -1,7 +1,7 @@
 //! Corners in place of neighbouring knots, and knots less, that pay once the points have followed the curve.
 
 use super::rounding::{SEEMING, slight_corners};
-use super::{Aim, Found, Sparsest};
+use super::{Aim, EASILY, Found, Sparsest};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::free_knots::FreeKnots;
 use crate::fit::knots::search::{CORNER, clusters, hopes, settle};
@@ -11,8 +11,6 @@ use crate::fit::knots::spline::Spline;
 const ROUNDS: usize = 4;
 const SLIDES: usize = 2;
 const MOST_SLIDES: usize = 8;
-/// The share of a number's price that makes another slide.
-const EASILY: f64 = 0.1;
 /// So many of the cheapest knots are tried without.
 const CHEAPEST: usize = 6;
 

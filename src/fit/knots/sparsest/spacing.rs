@@ -11,7 +11,7 @@ const EXPLAINED: f64 = 1.3;
 /// How often it is told how the spacing of points drifts: feet on a curve by length say it better.
 const DRIFTS: usize = 2;
 /// The share of a number's price that makes another step.
-const EASILY: f64 = 0.5;
+const PLAINLY: f64 = 0.5;
 
 impl Sparsest {
     /// The curve that explains its points best where they are equally far apart along it (D 13.12), and slight corners smooth
@@ -20,7 +20,7 @@ impl Sparsest {
         let mut located = best.located.clone();
         best.spline.project(&mut located, 3);
         let noise = self.both_ways(best);
-        let worth = EASILY * self.pricing.price.0;
+        let worth = PLAINLY * self.pricing.price.0;
         let evenly = Spaced::new(best.spline.clone(), &located)?;
         let explained = |spaced: &Spaced| spaced.squares <= EXPLAINED * noise;
         let mut spaced = evenly.clone().settled(worth, f64::INFINITY)?;

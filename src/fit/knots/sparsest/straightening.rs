@@ -1,6 +1,6 @@
 //! Pieces that are straight as far as the points can tell become straight.
 
-use super::{Aim, Found, MOST_WORK, PER_NUMBER, Phase, Sparsest};
+use super::{Aim, EASILY, Found, MOST_WORK, PER_NUMBER, Phase, Sparsest};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::even::by_length;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
@@ -18,10 +18,9 @@ const HOPELESS: f64 = 1.5;
 /// The share of a search's work that joining straight pieces may take, and how many fits a trial is worth.
 const JOINING: f64 = 0.5;
 const TRIAL: f64 = 7.0;
-/// Steps to a fit with other straight pieces, and the share of a number's price that makes another one.
+/// The most slides to a fit with other straight pieces.
 const FEW_SLIDES: usize = 3;
-const EASILY: f64 = 0.1;
-/// The same when the pieces are known.
+/// The most where these pieces are known, and the share of a number's price that makes another one there.
 const MOST_SLIDES: usize = 12;
 const HARDLY: f64 = 1e-3;
 /// Points that are so many times farther from where they belong by length than noise says are not even.
