@@ -43,13 +43,10 @@ pub(super) fn denser(fitted: &FreeKnots, data: &Located, square: f64) -> Option<
 pub(super) fn closer(spline: &Spline, data: &Located, tolerance: f64) -> Option<Breaks> {
     let mut breaks = spline.space.breaks.clone();
     let mut worst = vec![(tolerance, f64::NAN); spline.space.spans.len()];
-    let mut at = 0;
-    for (point, &t) in data.points.iter().zip(&data.parameters) {
-        let (s, inner) = spline.space.find(t, at);
-        at = s;
-        let distance = (spline.on(s, inner, 0) - point).norm();
+    for (point, (s, t)) in data.points.iter().zip(spline.space.places(&data.parameters)) {
+        let distance = (spline.on(s, t, 0) - point).norm();
         if distance > worst[s].0 {
-            worst[s] = (distance, inner);
+            worst[s] = (distance, t);
         }
     }
     let mut added = Vec::new();

@@ -119,6 +119,18 @@ impl Space {
         (i, t)
     }
 
+    /// The pieces that parameters lie in, one after the other, and each parameter as its piece counts it; quick where they
+    /// follow one another.
+    #[inline(always)]
+    pub(super) fn places(&self, parameters: &[f64]) -> impl Iterator<Item = (usize, f64)> {
+        let mut at = 0;
+        parameters.iter().map(move |&t| {
+            let place = self.find(t, at);
+            at = place.0;
+            place
+        })
+    }
+
     /// For every coefficient the first one that it meets on some piece.
     pub(super) fn reaches(&self) -> Vec<usize> {
         let mut first: Vec<usize> = (0..self.count).collect();

@@ -80,23 +80,18 @@ impl Spline {
     /// The distance of every point from the curve at its parameter.
     pub(in crate::fit) fn distances(&self, data: &Located) -> Vec<f64> {
         let pieces = self.pieces();
-        let mut s = 0;
-        let one = |(point, &t): (&Point, &f64)| {
-            let (found, t) = self.space.find(t, s);
-            s = found;
+        let one = |(point, (s, t)): (&Point, (usize, f64))| {
             let span = &self.space.spans[s];
             Look::new::<{ HIGHEST + 1 }>(&pieces[s], (t - span.middle) / span.half, *point).square.sqrt()
         };
-        data.points.iter().zip(&data.parameters).map(one).collect()
+        data.points.iter().zip(self.space.places(&data.parameters)).map(one).collect()
     }
 
     /// The weighted sum of squares at the points' parameters.
     pub(in crate::fit) fn squares(&self, data: &Located) -> f64 {
         let pieces = self.pieces();
-        let (mut s, mut sum) = (0, 0.0);
-        for (m, (point, &t)) in data.points.iter().zip(&data.parameters).enumerate() {
-            let (found, t) = self.space.find(t, s);
-            s = found;
+        let mut sum = 0.0;
+        for (m, (point, (s, t))) in data.points.iter().zip(self.space.places(&data.parameters)).enumerate() {
             let span = &self.space.spans[s];
             let place = on_piece(&pieces[s], (t - span.middle) / span.half);
             sum += data.weight(m) * (place - point).norm_squared();
@@ -189,10 +184,7 @@ impl Spline {
     fn across<const T: usize>(&self, data: &Located, pulls: &[Pull]) -> Vec<Across> {
         let pieces = self.pieces();
         let mut sums = vec![Across::default(); pieces.len()];
-        let mut at = 0;
-        for (m, (point, &t)) in data.points.iter().zip(&data.parameters).enumerate() {
-            let (s, t) = self.space.find(t, at);
-            at = s;
+        for (m, (point, (s, t))) in data.points.iter().zip(self.space.places(&data.parameters)).enumerate() {
             let span = &self.space.spans[s];
             let u = (t - span.middle) / span.half;
             let [place, along, _] = taylor::<T>(&pieces[s], u);

@@ -41,16 +41,13 @@ pub(super) fn bends(spline: &Spline, located: &Located, worth: f64) -> Vec<usize
     let space = &spline.space;
     let mut sums = vec![Scatter::default(); space.spans.len()];
     let margin = BESIDE * space.breaks.end / located.points.len() as f64;
-    let mut at = 0;
     let distances = spline.distances(located);
-    for (m, (point, &t)) in located.points.iter().zip(&located.parameters).enumerate() {
-        let (piece, t) = space.find(t, at);
-        at = piece;
-        let span = &space.spans[at];
+    for (m, (point, (s, t))) in located.points.iter().zip(space.places(&located.parameters)).enumerate() {
+        let span = &space.spans[s];
         if (t - span.middle).abs() > (span.half - margin).max(INNER * span.half) {
             continue;
         }
-        let (sum, w) = (&mut sums[at], located.weight(m));
+        let (sum, w) = (&mut sums[s], located.weight(m));
         sum.weight += w;
         sum.x += w * point.x;
         sum.y += w * point.y;

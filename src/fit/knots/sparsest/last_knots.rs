@@ -145,10 +145,7 @@ pub(super) fn minimax(spline: &mut Spline, data: &mut Located, enough: f64) -> D
             break;
         }
         if round >= 2 {
-            let mut at = 0;
-            for m in 0..data.points.len() {
-                let (s, t) = spline.space.find(data.parameters[m], at);
-                at = s;
+            for (m, (s, t)) in spline.space.places(&data.parameters).enumerate() {
                 let far = (spline.on(s, t, 0) - data.points[m]).norm() / distances.largest;
                 data.weights[m] = (data.weights[m] * (0.4 + far * far)).clamp(1e-3, 1e3);
             }
