@@ -8,7 +8,8 @@ export type { MatrixLike, PointsLike, SpacePointsLike } from "./core/arguments.j
 export type { Space } from "./core/curve-data.js";
 export type { Bounds, Curve, Ellipse, Nearest, PathOptions } from "./core/contract.js";
 export { HermiteCurve } from "./core/hermite-curve.js";
-export type { EllipseOptions, HermiteCurveJSON, HermiteCurveOptions } from "./core/hermite-curve.js";
+export type { EllipseOptions, HermiteCurveOptions } from "./core/hermite-arguments.js";
+export type { HermiteCurveJSON } from "./core/hermite-json.js";
 export { HermiteGenerators } from "./core/hermite-generators.js";
 export type { Root } from "./core/root-lists.js";
 export { parsePath } from "./core/svg.js";
@@ -57,7 +58,9 @@ export { MeasuredCurve } from "./core/curve.js";
 /** @internal */
 export { overLimit, shown, tagOf, tooFewPoints, wrong, wrongLength } from "./core/error.js";
 /** @internal */
-export { checked, curveIn, curveOf } from "./core/hermite-curve.js";
+export { checked } from "./core/hermite-arguments.js";
+/** @internal */
+export { curveIn, curveOf } from "./core/hermite-curve.js";
 /** @internal */
 export { MAX_ROOTS, rootList, rootNumbers } from "./core/root-lists.js";
 /** @internal */

@@ -18,7 +18,7 @@ import {
   wrong,
   wrongLength,
 } from "./core.js";
-import { type MeshFileOptions, gltfOf, objOf } from "./surface/mesh-files.js";
+import { type MeshFileOptions, fileOptions, gltfOf, objOf } from "./surface/mesh-files.js";
 import { type Direction, MAX_LEVEL, type SurfacePatch, type TensorSurfaceOptions, checkedSurface, netOf, place } from "./surface/surface-arguments.js";
 import { type DirectionData, type PatchData, SurfaceData, readSurface } from "./surface/surface-data.js";
 import { type SurfaceKernel, call, copy, peek, result } from "./surface/surface-engine.js";
@@ -426,14 +426,4 @@ function shape(
 function three(name: string, arg: string, value: unknown): [string, unknown, number][] {
   const op = `${NAME}.${name}`;
   return Array.from(exactly(op, arg, value, 3), (number, i) => [arg, number, i]);
-}
-
-function fileOptions(op: string, options: unknown): { rows: number; cols: number; name: string } {
-  const { rows = 64, cols = 64, name = "surface" } = checkOptions(op, options, ["rows", "cols", "name"]);
-  if (typeof name !== "string") throw wrong("E_TYPE", op, "name", name, "string");
-  const [m, n] = sizes(op, rows, cols);
-  // No literal: engines look all letters up while they read one, at the import of whoever writes no file.
-  const strange = new RegExp("[^\\p{L}\\p{N} ._-]", "gu");
-  const [cut = ""] = /^[^]{0,200}/u.exec(name) ?? [];
-  return { rows: m, cols: n, name: cut.replace(strange, "_") };
 }

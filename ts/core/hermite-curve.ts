@@ -12,70 +12,15 @@ import {
   flag,
   inRange,
   integer,
-  numbers,
   options as checkOptions,
   points as checkPoints,
-  twoNumbers,
   word,
 } from "./arguments.js";
 import { CurveData, SPACES, type Space, curvesIn } from "./curve-data.js";
 import { MeasuredCurve, dataOf as anyDataOf } from "./curve.js";
-import { wrongLength } from "./error.js";
+import { type EllipseOptions, type HermiteCurveOptions, asMany, checked, frame, spaceOf } from "./hermite-arguments.js";
+import { type HermiteCurveJSON, curveJSON } from "./hermite-json.js";
 import { type Floats, call, copy, peek, result, write } from "./kernel.js";
-
-/** A {@link HermiteCurve} as plain data. Fields that a newer version wrote are kept. */
-export interface HermiteCurveJSON {
-  /** What it is. */
-  type: "HermiteCurve";
-  /** Of the format; a file of a newer one is refused. */
-  version: 1;
-  /** Whether the last point is joined to the first. */
-  closed: boolean;
-  /** The space that its segments are in. */
-  space: Space;
-  /** Two numbers for each point. */
-  points: number[];
-  /** Two numbers for each point: the derivative that leaves it. */
-  tangents: number[];
-  /** Only where they differ from `tangents`. */
-  tangentsIn?: number[];
-  /** One for all segments, or one for each. */
-  omega: number | number[];
-  /** Only where they are not all 1; one for all segments, or one for each. */
-  lengths?: number | number[];
-  [unknown: string]: unknown;
-}
-
-/** What a {@link HermiteCurve} is made from. */
-export interface HermiteCurveOptions {
-  /** Points on the curve, 2 to 1,000,000; coordinates within ±1e9. */
-  points: PointsLike;
-  /** dr/dt leaving each point, per unit of the parameter; within ±8e9. */
-  tangents: PointsLike;
-  /** dr/dt arriving at each point, where it differs: corners, unequal handles. Default: `tangents`. */
-  tangentsIn?: PointsLike | undefined;
-  /** Whether the last point is joined to the first. Default true. */
-  closed?: boolean | undefined;
-  /** Default "trigonometric". */
-  space?: Space | undefined;
-  /**
-   * ω in radians per unit of the parameter, one or one per segment. Default 2π/M for a closed trigonometric curve of M points,
-   * else 0: cubics. ω·length must be below 2π − 1e-6 in the trigonometric space, at most 1e4 in the hyperbolic one.
-   */
-  omega?: number | Float64Array | readonly number[] | undefined;
-  /** Parameter length, one for all segments or one per segment. Default 1. */
-  lengths?: number | Float64Array | readonly number[] | undefined;
-}
-
-/** An ellipse: where, how large, how turned. */
-export interface EllipseOptions {
-  /** The centre. */
-  center: readonly [number, number] | Float32Array | Float64Array;
-  /** The two half axes, above 0 and at most 1e9. */
-  radii: readonly [number, number] | Float32Array | Float64Array;
-  /** Angle of the first axis, in radians. Default 0. */
-  rotation?: number | undefined;
-}
 
 const CURVE = "HermiteCurve";
 
@@ -365,25 +310,8 @@ export class HermiteCurve extends MeasuredCurve {
 
   /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): HermiteCurveJSON {
-    const data = dataOf(this, "toJSON");
-    return {
-      type: CURVE,
-      version: 1,
-      closed: data.closed,
-      space: data.space,
-      points: Array.from(data.points),
-      tangents: Array.from(data.tangents),
-      ...(data.tangentsIn.length === 0 ? {} : { tangentsIn: Array.from(data.tangentsIn) }),
-      omega: short(data.omega),
-      ...(data.lengths.length === 0 ? {} : { lengths: short(data.lengths) }),
-      ...data.extra,
-    };
+    return curveJSON(dataOf(this, "toJSON"));
   }
-}
-
-/** One number for all where one is kept. */
-function short(array: Floats): number | number[] {
-  return array.length === 1 ? (array[0] ?? 0) : Array.from(array);
 }
 
 /** Makes a curve of arrays that the kernel or a check has vouched for. @internal */
@@ -399,55 +327,6 @@ export function curveIn(numbers: Float64Array): HermiteCurve {
 /** The curve that the kernel left in its output. */
 function derived(count: number): HermiteCurve {
   return curveIn(peek(count));
-}
-
-function frame(op: string, center: unknown, radii: unknown, rotation: unknown = 0): [number, number, number, number, number] {
-  const angle = finite(op, "rotation", rotation);
-  return [...twoNumbers(op, "center", center), ...twoNumbers(op, "radii", radii), angle];
-}
-
-/** The arrays of a curve that a caller or a file describes, checked. @internal */
-export function checked(op: string, options: unknown): CurveData {
-  const names = ["points", "tangents", "tangentsIn", "closed", "space", "omega", "lengths"] as const;
-  const own = checkOptions(op, options, names);
-  const points = checkPoints(op, "points", own.points);
-  const closed = flag(op, "closed", own.closed, true);
-  const segments = points.length / 2 - (closed ? 0 : 1);
-  const data = new CurveData(
-    points,
-    sameLength(op, "tangents", checkPoints(op, "tangents", own.tangents), points.length),
-    own.tangentsIn === undefined
-      ? new Float64Array()
-      : sameLength(op, "tangentsIn", checkPoints(op, "tangentsIn", own.tangentsIn), points.length),
-    perSegment(op, "omega", own.omega, segments),
-    perSegment(op, "lengths", own.lengths, segments),
-    spaceOf(op, own.space),
-    closed,
-  );
-  data.load(op);
-  return data;
-}
-
-function spaceOf(op: string, value: unknown = SPACES[0]): Space {
-  return word(op, "space", value, SPACES);
-}
-
-function sameLength(op: string, arg: string, array: Floats, length: number): Floats {
-  if (array.length !== length) throw wrongLength(op, arg, array.length, String(length));
-  return array;
-}
-
-function asMany(data: CurveData, arg: string, value: unknown): Floats {
-  return sameLength(arg, arg, checkPoints(arg, arg, value), data.points.length);
-}
-
-/** One number for all segments, or one for each, or nothing; finite and not −0, and the rest is for the kernel to say. */
-function perSegment(op: string, arg: string, value: unknown, segments: number): Floats {
-  if (value === undefined) return new Float64Array();
-  if (typeof value === "number") return Float64Array.of(finite(op, arg, value) + 0);
-  // Fewer than two points have no segments: what is wrong with them is said by the kernel.
-  const array = sameLength(op, arg, numbers(op, arg, value, "maxPoints", MAX_POINTS, "a number, "), Math.max(segments, 0));
-  return array.map((number, i) => finite(op, arg, number, i) + 0);
 }
 
 /** One number per segment, from the short form. */

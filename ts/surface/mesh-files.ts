@@ -1,5 +1,6 @@
 /** Meshes as files that other programs read: Wavefront OBJ and binary glTF 2.0. */
-import type { SurfaceMesh } from "./surface-mesh.js";
+import { options as checkOptions, wrong } from "../core.js";
+import { type SurfaceMesh, sizes } from "./surface-mesh.js";
 
 /** How a surface is written to a file. */
 export interface MeshFileOptions {
@@ -9,6 +10,17 @@ export interface MeshFileOptions {
   cols?: number | undefined;
   /** Name of the object; what is not a letter, digit, space, dot, underscore or hyphen becomes an underscore. Cut after 200 characters. */
   name?: string | undefined;
+}
+
+/** The options of a file, checked. @internal */
+export function fileOptions(op: string, options: unknown): { rows: number; cols: number; name: string } {
+  const { rows = 64, cols = 64, name = "surface" } = checkOptions(op, options, ["rows", "cols", "name"]);
+  if (typeof name !== "string") throw wrong("E_TYPE", op, "name", name, "string");
+  const [m, n] = sizes(op, rows, cols);
+  // No literal: engines look all letters up while they read one, at the import of whoever writes no file.
+  const strange = new RegExp("[^\\p{L}\\p{N} ._-]", "gu");
+  const [cut = ""] = /^[^]{0,200}/u.exec(name) ?? [];
+  return { rows: m, cols: n, name: cut.replace(strange, "_") };
 }
 
 /** A mesh as OBJ text: every number as JavaScript writes it, so that reading gives the same bits. @internal */
