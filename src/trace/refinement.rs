@@ -5,6 +5,7 @@ mod bends;
 mod blocks;
 mod coverage;
 mod equations;
+mod exactness;
 mod fewer;
 pub(super) mod field;
 mod fillets;
@@ -31,11 +32,12 @@ mod window;
 use self::again::Again;
 use self::bends::BendRule;
 use self::blocks::{BLOCK, block_end};
+use self::exactness::Exactness;
 use self::fewer::Thinning;
 use self::field::{Alike, Blurring, Field, Shading};
 use self::grain::level;
 use self::left::Left;
-use self::refine::{Descent, NOISY_SHARE, Refiner, Relaxing, Shape};
+use self::refine::{Descent, Refiner, Relaxing, Shape};
 use self::trial::Limits;
 use super::outline::Outline;
 use super::picture::gray::Gray;
@@ -44,10 +46,6 @@ use crate::error::Result;
 use crate::limits::probe;
 use crate::numerics::Point;
 
-/// How far pieces may be from an arc that they are, in pixels: in a picture of exact coverage, a compressed, a noisy and one that samples and chords made.
-const BOWS: [f64; 4] = [0.01, 0.05, 0.075, 0.15];
-/// Outlines follow some of the grain, so that what is known of it is this share of what it is at most.
-const KNOWN: f64 = 4.0;
 /// The tolerance at which outlines are as near as pixels tell.
 const USUAL: f64 = 0.22;
 /// Steps of all nodes at first and at last, and the share of what is left that a step has to take away for another.
@@ -107,34 +105,6 @@ pub(super) struct Refinement {
     thinning: Thinning,
     /// What an outline leaves that begins again, root mean square of coverage.
     poor: f64,
-}
-
-/// What is known by now of how exactly the picture's pixels say where edges are.
-#[derive(Debug)]
-struct Exactness {
-    quality: Quality,
-    /// What no outline explains in a pixel of a rough picture.
-    grain: f64,
-    /// How many times farther than in a picture of exact coverage an outline may be from an ellipse that it is.
-    slack: f64,
-}
-
-impl Exactness {
-    fn is_clean(&self) -> bool {
-        matches!(self.quality, Quality::Clean | Quality::Soft)
-    }
-
-    fn is_sampled(&self) -> bool {
-        self.quality == Quality::Sampled
-    }
-
-    fn is_rough(&self) -> bool {
-        matches!(self.quality, Quality::Rough | Quality::Sampled)
-    }
-
-    fn is_noisy(&self) -> bool {
-        self.quality == Quality::Noisy
-    }
 }
 
 /// Where the work is.
@@ -383,7 +353,7 @@ impl Refinement {
 
     /// Moves all nodes of the outline, or the next ones of a long one, by a step; whether that was the last of all.
     fn refine_on(&mut self, steps: (usize, f64)) -> Result<bool> {
-        let steps = self.steps(steps);
+        let steps = self.picture.steps(steps);
         let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.place.at]);
         let (count, first) = (shape.outline.len(), self.place.block);
         let end = block_end(shape, first);
@@ -397,11 +367,6 @@ impl Refinement {
         Ok(end == count)
     }
 
-    /// Steps that stop where the picture says no more.
-    fn steps(&self, (most, enough): (usize, f64)) -> (usize, f64) {
-        (most, if self.picture.is_clean() { enough } else { NOISY_SHARE })
-    }
-
     /// Whether flat places are flat, so that a rough picture is one of edges that samples or chords made.
     pub(super) fn is_grainy(&self) -> bool {
         !self.field.is_compressed()
@@ -412,15 +377,9 @@ impl Refinement {
         self.picture.slack
     }
 
-    /// How far pieces may be from an arc that they are, in pixels: where programs drew chords farthest.
+    /// How far pieces may be from an arc that they are, in pixels.
     pub(super) fn bow(&self) -> f64 {
-        match self.picture.quality {
-            Quality::Clean => BOWS[0],
-            Quality::Rough => BOWS[if self.is_grainy() { 3 } else { 1 }],
-            Quality::Soft => BOWS[1],
-            Quality::Noisy => BOWS[2],
-            Quality::Sampled => BOWS[3],
-        }
+        self.picture.bow(self.is_grainy())
     }
 
     /// Whether all is done.

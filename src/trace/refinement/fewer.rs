@@ -8,7 +8,7 @@ use super::simplify::{Merging, may_go_on};
 use super::straight::Straightening;
 use super::tidying::Tidying;
 use super::trial::Trial;
-use super::{KNOWN, LAST_STEPS, Refinement};
+use super::{LAST_STEPS, Refinement};
 use crate::error::Result;
 use crate::numerics::plane::larger;
 use crate::trace::outline::Outline;
@@ -117,7 +117,7 @@ impl Refinement {
                     let known = if self.picture.is_sampled() {
                         trial.limits.noise
                     } else {
-                        KNOWN * self.picture.grain
+                        self.picture.most_grain()
                     };
                     make_round(trial.refiner, trial.field, trial.shape, known);
                 }
@@ -180,7 +180,7 @@ impl Refinement {
     /// An outline that lost its way is as it was before joints were taken away.
     fn keep(&mut self) -> Result<()> {
         let Some((start, before)) = self.thinning.start.take() else { return Ok(()) };
-        let steps = self.steps(LAST_STEPS);
+        let steps = self.picture.steps(LAST_STEPS);
         let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.place.at]);
         let lost = (0..shape.outline.len()).any(|i| leaves(&shape.outline.cubic(i), field));
         if lost || shape.left(field).rms() > (1.5 * before).max(2.0 * self.limits.rms) {

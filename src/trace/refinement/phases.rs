@@ -1,6 +1,6 @@
 //! What all outlines together say of the picture, and what is done with them next.
 
-use super::{FineOutline, KNOWN, Phase, Refinement};
+use super::{FineOutline, Phase, Refinement};
 use crate::error::Result;
 use crate::limits::with_room;
 use crate::numerics::order::nth;
@@ -93,7 +93,7 @@ impl Refinement {
 
     /// Takes fine outlines where rough ones explain much less; what is left then is the noise (D 14.26).
     fn choose(&mut self) {
-        let grain = KNOWN * self.picture.grain;
+        let grain = self.picture.most_grain();
         self.limits.grain = grain.min(GRAINIEST);
         let flat = self.is_grainy();
         for (shape, FineOutline { outline, left, .. }) in

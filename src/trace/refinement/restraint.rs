@@ -1,5 +1,6 @@
 //! Outlines that went astray are led back: a picture of more than two tones draws them to where they explain nothing.
 
+use super::Refinement;
 use super::coverage::{Part, pieces};
 use super::field::Field;
 use super::left::Left;
@@ -7,7 +8,6 @@ use super::refine::{Refiner, Shape};
 use super::settling::turning;
 use super::trial::Limits;
 use super::window::{Stretch, Window};
-use super::{Exactness, Refinement};
 use crate::numerics::Point;
 use crate::numerics::plane::{larger, norm, square, taxi};
 use crate::trace::outline::cubic::Cubic;
@@ -27,18 +27,13 @@ const SHORTEST: f64 = 0.1;
 /// The way back may leave so many times as much of the squares, and so much more: a tip that was drawn leaves ten times as much without it.
 const WORSE: f64 = 1.5;
 const LITTLE: f64 = 0.02;
-/// What leaves so much of coverage, root mean square, explains nothing: outlines of two tones leave .1 at most where they are a pixel and more from
-/// their contour. The way back may leave so many times as much of the squares then.
-const UNEXPLAINED: f64 = 0.1;
+/// The way back may leave so many times as much of the squares where nothing is explained.
 const NO_MATTER: f64 = 6.0;
-/// What leaves so much in so many pixels is looked at even near the contour: there the way back has to turn less, by so many radians, and may
+/// Nothing is explained near the contour, too, where so many pixels say it: there the way back has to turn less, by so many radians, and may
 /// leave so many times as much.
-const NOTHING: f64 = 0.15;
 const PIXELS: f64 = 4.0;
 const CALMER: f64 = 0.35;
 const HARDLY_MATTERS: f64 = 3.0;
-/// How many times as much as noise of one pixel it has to be.
-const ABOVE_NOISE: f64 = 2.0;
 
 /// Pieces in a row that are far from where they began, or explain nothing there.
 #[derive(Clone, Copy, Debug)]
@@ -52,14 +47,6 @@ struct Run {
 struct Way {
     between: Vec<Node>,
     pieces: Vec<Piece>,
-}
-
-impl Exactness {
-    /// What has to be left for nothing to be explained: far from the contour and near it.
-    fn nothing(&self, noise: f64) -> [f64; 2] {
-        let near = if self.is_noisy() || self.is_sampled() { f64::INFINITY } else { NOTHING };
-        [if self.is_sampled() { f64::INFINITY } else { larger(UNEXPLAINED, ABOVE_NOISE * noise) }, near]
-    }
 }
 
 impl Refinement {
