@@ -4,13 +4,12 @@ import { describe } from "../editor/curve/edits.ts";
 import type { Editor, EditorState } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { shownHandles } from "../editor/pointer/hit-test.ts";
+import { createProxy, mostProxies, paintOn, showProxy, stopAt, type Proxy } from "./proxy.ts";
 
 /**
  * The picture for those who do not see it: a button for every point and every shown handle, at its place, named as the
  * hint line names it. The stage is one tab stop; the focus moves inside it with the selection.
  */
-
-const mostProxies = 256;
 
 interface Wanted {
   readonly id: string;
@@ -19,14 +18,6 @@ interface Wanted {
   readonly side: Side | null;
   readonly x: number;
   readonly y: number;
-}
-
-interface Shown {
-  readonly element: HTMLButtonElement;
-  label: string;
-  place: string;
-  ref: PointRef;
-  side: Side | null;
 }
 
 /** A large drawing offers the points of the contour that is being worked on. */
@@ -81,77 +72,34 @@ function activeId({ selection: { handle, points } }: EditorState): string | null
 }
 
 export function createProxies(editor: Editor, frame: Frame, surface: HTMLElement, layer: HTMLElement, until: AbortSignal): void {
-  const shown = new Map<string, Shown>();
-  let drawn: Pick<EditorState, "curve" | "view" | "stage" | "selection" | "mode"> | null = null;
-  let handlesShown = true;
+  const shown = new Map<string, Proxy>();
 
-  function choose(proxy: Shown): void {
-    const { contour, index } = proxy.ref;
+  function make({ id, ref: { contour, index }, side }: Wanted): Proxy {
     const point = { contour, index };
-    editor.patch({ selection: { points: [point], handle: proxy.side === null ? null : { ...point, side: proxy.side } }, keyboard: true });
-  }
-
-  function make(wanted: Wanted): Shown {
-    const element = document.createElement("button");
-    element.type = "button";
-    element.className = "proxy";
-    element.tabIndex = -1;
-    element.dataset["testid"] = wanted.id;
-    const proxy: Shown = { element, label: "", place: "", ref: wanted.ref, side: wanted.side };
-    element.addEventListener("click", () => choose(proxy));
-    layer.append(element);
+    const handle = side === null ? null : { ...point, side };
+    const proxy = createProxy(layer, id, () => editor.patch({ selection: { points: [point], handle }, keyboard: true }));
+    shown.set(id, proxy);
     return proxy;
   }
 
-  function update(wanted: Wanted, active: string | null): void {
-    const proxy = shown.get(wanted.id) ?? make(wanted);
-    shown.set(wanted.id, proxy);
-    proxy.ref = wanted.ref;
-    proxy.side = wanted.side;
-    if (proxy.label !== wanted.label) {
-      proxy.label = wanted.label;
-      proxy.element.setAttribute("aria-label", wanted.label);
-    }
-    const place = `translate(${wanted.x - 12}px, ${wanted.y - 12}px)`;
-    if (proxy.place !== place) {
-      proxy.place = place;
-      proxy.element.style.transform = place;
-    }
-    const tabIndex = wanted.id === active ? 0 : -1;
-    if (proxy.element.tabIndex !== tabIndex) proxy.element.tabIndex = tabIndex;
-  }
-
-  function paint(): void {
-    const state = editor.state.value;
-    const { curve, view, stage, selection, mode, settings } = state;
-    const same = drawn !== null && drawn.curve === curve && drawn.view === view && drawn.stage === stage && drawn.selection === selection && drawn.mode === mode;
-    if (same && handlesShown === settings.overlays.handles) return;
-    drawn = { curve, view, stage, selection, mode };
-    handlesShown = settings.overlays.handles;
-    const wanted = wantedProxies(state);
-    const ids = new Set(wanted.map(({ id }) => id));
-    const hadFocus = surface.contains(document.activeElement);
+  function paint(state: EditorState): void {
     const active = activeId(state);
-    const reachable = active !== null && ids.has(active);
-    for (const each of wanted) update(each, active);
-    surface.tabIndex = reachable ? -1 : 0;
-    if (hadFocus) moveFocus(reachable ? active : null);
-    for (const [id, proxy] of shown) {
-      if (ids.has(id)) continue;
-      proxy.element.remove();
+    const present = new Set<string>();
+    let target: HTMLElement | undefined;
+    for (const wanted of wantedProxies(state)) {
+      const { id } = wanted;
+      present.add(id);
+      const proxy = shown.get(id) ?? make(wanted);
+      showProxy(proxy, wanted.label, wanted, id === active);
+      if (id === active) target = proxy.element;
+    }
+    stopAt(editor, surface, target);
+    for (const [id, { element }] of shown) {
+      if (present.has(id)) continue;
+      element.remove();
       shown.delete(id);
     }
   }
 
-  /** The focus follows the selection, but only while it is in the stage. */
-  function moveFocus(active: string | null): void {
-    const target = active === null ? surface : shown.get(active)?.element ?? surface;
-    if (document.activeElement === target) return;
-    // A pointer's press has put the focus on the stage itself; it stays there until a key moves the selection.
-    if (target !== surface && !editor.state.value.keyboard && document.activeElement === surface) return;
-    target.focus({ preventScroll: true });
-  }
-
-  editor.state.subscribe(() => frame.request(), { until });
-  frame.add("paint", paint);
+  paintOn(editor, frame, ["curve", "view", "stage", "selection", "mode", "settings"], paint, until);
 }
