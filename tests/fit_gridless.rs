@@ -8,6 +8,7 @@ use expline::fit::gridless::gridless;
 use expline::fit::{Ask, Finish, FitStatus, Knot, Norm, Options, Problem, Settings, Solver, fit};
 use expline::numerics::Point;
 use serde::Deserialize;
+use support::contours::contour;
 use support::golden;
 
 #[derive(Deserialize)]
@@ -22,22 +23,12 @@ struct Continuous {
     knots: Vec<f64>,
 }
 
-#[derive(Deserialize)]
-struct Grid {
-    sets: std::collections::BTreeMap<String, Vec<f64>>,
-}
-
-fn points(name: &str) -> Vec<Point> {
-    let grid: Grid = golden::parse(include_str!("golden/sparse/grid.json"));
-    grid.sets[name].chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect()
-}
-
 #[test]
 fn three_slides_certify_the_continuous_optimum() {
     let cases: Vec<Continuous> = golden::parse(include_str!("golden/sparse/continuous.json"));
     assert_eq!(cases.len(), 4, "all problems are there");
     for case in cases {
-        let points = points(&case.source);
+        let points = contour(&case.source);
         let steps = if case.closed { points.len() } else { points.len() - 1 };
         let problem = Problem::of_points(&points, case.closed, &[(case.degree, case.lam, steps)])
             .expect("the problem is fine");
@@ -103,7 +94,7 @@ fn an_extreme_point_is_as_good_with_no_more_knots_than_points_can_tell_apart() {
 
 #[test]
 fn every_step_after_the_optimum_says_what_it_changed() {
-    let points = points("smooth400_snr45");
+    let points = contour("smooth400_snr45");
     let finish = Finish { extreme: true, merge: true, slide: true, debias: true, prune: false };
     let options = Options { degrees: vec![3], closed: Some(true), finish, ..Options::default() };
     let fitted = fit(&points, Ask::Lambda(vec![5000.0]), &options).expect("it can be fitted");

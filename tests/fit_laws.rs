@@ -2,8 +2,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-#[path = "support/golden.rs"]
-mod golden;
+mod support;
 
 use expline::fit::admm::Admm;
 use expline::fit::certificate::verify;
@@ -11,18 +10,7 @@ use expline::fit::{
     Norm, Problem, Settings, Solution, Solver, Status, lambda_max, lambda_of_detail, uniform_grid,
 };
 use expline::numerics::Vector;
-use serde::Deserialize;
-use std::collections::BTreeMap;
-
-#[derive(Deserialize)]
-struct Golden {
-    sets: BTreeMap<String, Vec<f64>>,
-}
-
-fn points(name: &str) -> Vec<Vector> {
-    let golden: Golden = golden::parse(include_str!("golden/sparse/grid.json"));
-    golden.sets[name].chunks_exact(2).map(|v| Vector::new(v[0], v[1])).collect()
-}
+use support::contours::contour;
 
 fn solve(problem: &Problem, gap: f64) -> (Solver, Solution) {
     let mut solver = Solver::new(problem, Settings { gap, most_iterations: 100 }).expect("a good problem");
@@ -39,7 +27,7 @@ fn uniform(seed: &mut u64) -> f64 {
 #[test]
 fn no_knot_is_left_from_lambda_max_on_and_some_just_below() {
     for (name, closed, size) in [("heart120", true, 120), ("open300_snr45", false, 299)] {
-        let points = points(name);
+        let points = contour(name);
         for degree in 1..=3 {
             let mut problem = Problem::of_points(&points, closed, &[(degree, 1.0, size)]).expect("good");
             let most = lambda_max(&problem).expect("good")[0];
@@ -75,7 +63,7 @@ fn a_circle_has_the_lambda_max_that_the_scale_of_smoothing_is_made_of() {
 
 #[test]
 fn a_rotation_of_the_points_rotates_the_curve_and_keeps_every_knot() {
-    let points = points("polygon488_snr47");
+    let points = contour("polygon488_snr47");
     let turned = |degrees: f64| -> Vec<Vector> {
         let (s, c) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
         points.iter().map(|p| Vector::new(c * p.x - s * p.y, s * p.x + c * p.y)).collect()
@@ -101,7 +89,7 @@ fn a_rotation_of_the_points_rotates_the_curve_and_keeps_every_knot() {
 
 #[test]
 fn a_warm_start_ends_where_a_cold_one_does() {
-    let points = points("polygon488_snr47");
+    let points = contour("polygon488_snr47");
     for splines in [&[(1, 300.0, 488)][..], &[(3, 4000.0, 244)], &[(1, 600.0, 122), (3, 2e5, 122)]] {
         let problem = Problem::of_points(&points, true, splines).expect("good");
         let (mut solver, _) = solve(&problem, 1e-8);
@@ -127,7 +115,7 @@ fn a_warm_start_ends_where_a_cold_one_does() {
 
 #[test]
 fn scaling_points_and_prices_scales_the_curve() {
-    let heart = points("heart120");
+    let heart = contour("heart120");
     let fit = |scale: f64, degree: usize, lambda: f64| {
         let scaled: Vec<Vector> = heart.iter().map(|p| p * scale).collect();
         let problem = Problem::of_points(&scaled, true, &[(degree, lambda * scale, 60)]).expect("good");
@@ -206,7 +194,7 @@ fn planted_corners_are_found_where_they_are() {
 
 #[test]
 fn the_method_of_the_paper_comes_to_the_same_objective() {
-    let heart = points("heart120");
+    let heart = contour("heart120");
     for splines in [&[(1, 150.0, 64)][..], &[(2, 400.0, 60)], &[(3, 2000.0, 60)]] {
         let problem = Problem::of_points(&heart, true, splines).expect("good");
         let (_, solution) = solve(&problem, 1e-9);
@@ -221,7 +209,7 @@ fn the_method_of_the_paper_comes_to_the_same_objective() {
 
 #[test]
 fn the_method_of_the_paper_does_not_lose_itself_between_two_components() {
-    let kinked = points("kinked560_px");
+    let kinked = contour("kinked560_px");
     let splines = [(1, 2000.0, 140), (3, 5e6, 140)];
     let problem = Problem::of_points(&kinked, true, &splines).expect("good");
     let (_, solution) = solve(&problem, 1e-7);

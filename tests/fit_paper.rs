@@ -5,18 +5,7 @@ mod support;
 
 use expline::fit::{Ask, Finish, Norm, Options, fit};
 use expline::numerics::Point;
-use serde::Deserialize;
-use support::golden;
-
-#[derive(Deserialize)]
-struct Grid {
-    sets: std::collections::BTreeMap<String, Vec<f64>>,
-}
-
-fn contour(name: &str) -> Vec<Point> {
-    let grid: Grid = golden::parse(include_str!("golden/sparse/grid.json"));
-    grid.sets[name].chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect()
-}
+use support::contours::contour;
 
 fn turned(points: &[Point], degrees: f64) -> Vec<Point> {
     let (sin, cos) = degrees.to_radians().sin_cos();

@@ -7,19 +7,8 @@ mod support;
 use expline::HermiteCurve;
 use expline::fit::{Ask, Finish, Fit, FitStatus, Options, fit};
 use expline::numerics::Point;
-use serde::Deserialize;
+use support::contours::contour;
 use support::curves::Random;
-use support::golden;
-
-#[derive(Deserialize)]
-struct Grid {
-    sets: std::collections::BTreeMap<String, Vec<f64>>,
-}
-
-fn contour(name: &str) -> Vec<Point> {
-    let grid: Grid = golden::parse(include_str!("golden/sparse/grid.json"));
-    grid.sets[name].chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect()
-}
 
 fn closed(degree: usize) -> Options {
     Options { degrees: vec![degree], closed: Some(true), ..Options::default() }
@@ -66,6 +55,36 @@ fn errors(fit: &Fit, truth: &[Point]) -> (f64, f64) {
         most = most.max(nearest);
     }
     ((sum / places.len() as f64).sqrt(), most.sqrt())
+}
+
+/// What fits to many noisy versions of a drawing are off it on average: root mean square and largest distance, and the root mean
+/// square of what knots are off its sharp corners.
+#[derive(Default)]
+struct Off {
+    rms: f64,
+    most: f64,
+    sharp: f64,
+}
+
+impl Off {
+    /// `errors` gives root mean square and largest distance of one fit.
+    fn of(fits: &[Fit], sharp: &[Point], errors: impl Fn(&Fit) -> (f64, f64)) -> Self {
+        let (mut off, count) = (Self::default(), fits.len() as f64);
+        for fitted in fits {
+            let (rms, most) = errors(fitted);
+            off.rms += rms / count;
+            off.most += most / count;
+            let squares: f64 = sharp.iter().map(|corner| from_knots(fitted, corner).powi(2)).sum();
+            off.sharp += squares / (sharp.len().max(1) as f64 * count);
+        }
+        off.sharp = off.sharp.sqrt();
+        off
+    }
+}
+
+/// How far a corner is from the nearest knot.
+fn from_knots(fitted: &Fit, corner: &Point) -> f64 {
+    fitted.knots.iter().map(|knot| (knot.point - corner).norm()).fold(f64::INFINITY, f64::min)
 }
 
 #[test]
@@ -180,9 +199,7 @@ fn corners_and_smooth_sides_are_both_kept() {
         let fitted = fit(&points, Ask::Noise, &Options::default()).expect("it can be fitted");
         let (rms, most) = errors(&fitted, &way);
         assert!(most < 0.9, "outline {seed}: {most} at worst");
-        let off = |corner: &Point| {
-            fitted.knots.iter().map(|knot| (knot.point - corner).norm()).fold(f64::INFINITY, f64::min)
-        };
+        let off = |corner: &Point| from_knots(&fitted, corner);
         assert!(rms <= 0.165, "outline {seed}: rms {rms}");
         assert!(fitted.curve.segment_count() <= 12, "outline {seed}: {}", fitted.curve.segment_count());
         // Two straight sides tell where they meet; the end of a cubic on fifty points is known to 4σ/√50 = 0.28.
@@ -207,26 +224,25 @@ fn measured(seed: u64) -> u64 {
     1_000_003 * seed + 77
 }
 
+/// Fits to 24 noisy versions of some points.
+fn fitted_to_noise(points: &[Point], first: u64, options: &Options) -> Vec<Fit> {
+    let one =
+        |seed: u64| fit(&noisy(points, 0.5, measured(seed)), Ask::Noise, options).expect("it can be fitted");
+    (first..first + 24).map(one).collect()
+}
+
 #[test]
 fn corners_of_even_points_are_where_sides_of_known_length_meet() {
     let (way, corners) = mixed();
-    let (mut all, mut most, mut sharp, cases) = (0.0, 0.0, 0.0, 24);
-    for seed in 0..cases {
-        let points = noisy(&evenly(&way, 600), 0.5, measured(seed));
-        let fitted = fit(&points, Ask::Noise, &Options::default()).expect("it can be fitted");
-        let (rms, largest) = errors(&fitted, &way);
-        let off = |corner: &Point| {
-            fitted.knots.iter().map(|knot| (knot.point - corner).norm()).fold(f64::INFINITY, f64::min)
-        };
+    let fits = fitted_to_noise(&evenly(&way, 600), 0, &Options::default());
+    for (seed, fitted) in fits.iter().enumerate() {
         assert!(fitted.curve.segment_count() <= 12, "outline {seed}: {}", fitted.curve.segment_count());
-        all += rms / cases as f64;
-        most += largest / cases as f64;
-        sharp += corners[..2].iter().map(|corner| off(corner).powi(2)).sum::<f64>() / (2 * cases) as f64;
     }
-    assert!(all <= 0.136, "rms {all} on average");
+    let off = Off::of(&fits, &corners[..2], |fitted| errors(fitted, &way));
+    assert!(off.rms <= 0.136, "rms {} on average", off.rms);
     // Without the length of the sides 0.77.
-    assert!(most <= 0.65, "{most} at worst on average");
-    assert!(sharp.sqrt() <= 0.26, "sharp corners are off by {} on average", sharp.sqrt());
+    assert!(off.most <= 0.65, "{} at worst on average", off.most);
+    assert!(off.sharp <= 0.26, "sharp corners are off by {} on average", off.sharp);
 }
 
 #[test]
@@ -234,38 +250,48 @@ fn slow_changes_of_the_spacing_are_told_from_noise() {
     // Steps between points are up to 6 % longer and shorter than their mean, once round: by noise they look even.
     let (way, corners) = mixed();
     let tau = core::f64::consts::TAU;
-    let clean = spaced(&way, 600, |share| share + 0.06 / tau * (tau * share).sin());
-    let (mut all, mut most, mut sharp, cases) = (0.0, 0.0, 0.0, 24);
-    for seed in 0..cases {
-        let points = noisy(&clean, 0.5, measured(seed));
-        let fitted = fit(&points, Ask::Noise, &Options::default()).expect("it can be fitted");
-        let (rms, largest) = errors(&fitted, &way);
-        let off = |corner: &Point| {
-            fitted.knots.iter().map(|knot| (knot.point - corner).norm()).fold(f64::INFINITY, f64::min)
-        };
-        all += rms / cases as f64;
-        most += largest / cases as f64;
-        sharp += corners[..2].iter().map(|corner| off(corner).powi(2)).sum::<f64>() / (2 * cases) as f64;
-    }
+    let points = spaced(&way, 600, |share| share + 0.06 / tau * (tau * share).sin());
+    let fits = fitted_to_noise(&points, 0, &Options::default());
+    let off = Off::of(&fits, &corners[..2], |fitted| errors(fitted, &way));
     // Taken for uneven, they leave .142, .87 and .37.
-    assert!(all <= 0.13, "rms {all} on average");
-    assert!(most <= 0.75, "{most} at worst on average");
-    assert!(sharp.sqrt() <= 0.34, "sharp corners are off by {} on average", sharp.sqrt());
+    assert!(off.rms <= 0.13, "rms {} on average", off.rms);
+    assert!(off.most <= 0.75, "{} at worst on average", off.most);
+    assert!(off.sharp <= 0.34, "sharp corners are off by {} on average", off.sharp);
 }
 
 #[test]
 fn smooth_joints_of_even_points_stay_smooth() {
     // Two sharp corners and a slight one; the arc runs smoothly into the first side.
     let (way, _) = mixed();
-    let (mut corners, mut all, cases) = (0, 0.0, 24);
-    for seed in 100..100 + cases {
-        let points = noisy(&evenly(&way, 600), 0.5, measured(seed));
-        let fitted = fit(&points, Ask::Noise, &Options::default()).expect("it can be fitted");
-        corners += fitted.knots.iter().filter(|knot| knot.degree == 1).count();
-        all += errors(&fitted, &way).0 / cases as f64;
+    let fits = fitted_to_noise(&evenly(&way, 600), 100, &Options::default());
+    let corners = fits.iter().flat_map(|fitted| &fitted.knots).filter(|knot| knot.degree == 1).count();
+    assert!(corners <= 4 * fits.len(), "{corners} corners in {} outlines", fits.len());
+    let off = Off::of(&fits, &[], |fitted| errors(fitted, &way));
+    assert!(off.rms <= 0.115, "rms {} on average", off.rms);
+}
+
+/// The place at a share of an open polyline's length.
+fn along(sides: &[Point], share: f64) -> Point {
+    let mut left = share * sides.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum::<f64>();
+    for pair in sides.windows(2) {
+        let step = (pair[1] - pair[0]).norm();
+        if left <= step {
+            return pair[0] + (pair[1] - pair[0]) * (left / step);
+        }
+        left -= step;
     }
-    assert!(corners as f64 / cases as f64 <= 4.0, "{corners} corners in {cases} outlines");
-    assert!(all <= 0.115, "rms {all} on average");
+    sides[sides.len() - 1]
+}
+
+/// Root mean square and largest distance from the fit to some points close together.
+fn from_points(fitted: &Fit, truth: &[Point]) -> (f64, f64) {
+    let (_, end) = fitted.curve.domain();
+    let square = |i: i32| {
+        let place = fitted.curve.evaluate(end * (f64::from(i) / 1000.0), 0).expect("t is in the domain");
+        truth.iter().map(|p| (p - place).norm_squared()).fold(f64::INFINITY, f64::min)
+    };
+    let squares: Vec<f64> = (0..=1000).map(square).collect();
+    ((squares.iter().sum::<f64>() / 1001.0).sqrt(), squares.iter().copied().fold(0.0, f64::max).sqrt())
 }
 
 #[test]
@@ -273,44 +299,16 @@ fn open_ways_of_even_points_keep_corners_and_ends() {
     // Two straight sides and one that waves; the points are even, or follow one another ever more closely.
     let (way, corners) = mixed();
     let sides = &way[..6000];
-    let length: f64 = sides.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
-    let at = |share: f64| {
-        let mut left = share * length;
-        for pair in sides.windows(2) {
-            let step = (pair[1] - pair[0]).norm();
-            if left <= step {
-                return pair[0] + (pair[1] - pair[0]) * (left / step);
-            }
-            left -= step;
-        }
-        sides[5999]
-    };
+    let options = Options { closed: Some(false), ..Options::default() };
     for (crowded, most, apart_by) in [(0.0, 0.115, 0.26), (0.3, 0.16, 0.6)] {
-        let (mut all, mut sharp, cases) = (0.0, 0.0, 24);
-        for seed in 0..cases {
-            let place = |i: usize| {
-                let u = i as f64 / 449.0;
-                at(u + crowded * u * (1.0 - u))
-            };
-            let points = noisy(&(0..450).map(place).collect::<Vec<_>>(), 0.5, measured(20 + seed));
-            let fitted = fit(&points, Ask::Noise, &Options { closed: Some(false), ..Options::default() })
-                .expect("it can be fitted");
-            let (_, end) = fitted.curve.domain();
-            let mut sum = 0.0;
-            for i in 0..=1000 {
-                let place =
-                    fitted.curve.evaluate(end * (f64::from(i) / 1000.0), 0).expect("t is in the domain");
-                let near = sides.iter().map(|p| (p - place).norm_squared()).fold(f64::INFINITY, f64::min);
-                sum += near / 1001.0;
-            }
-            all += sum.sqrt() / cases as f64;
-            let off = |corner: &Point| {
-                fitted.knots.iter().map(|knot| (knot.point - corner).norm()).fold(f64::INFINITY, f64::min)
-            };
-            sharp += corners[..2].iter().map(|corner| off(corner).powi(2)).sum::<f64>() / (2 * cases) as f64;
-        }
-        assert!(all <= most, "{crowded}: rms {all} on average");
-        assert!(sharp.sqrt() <= apart_by, "{crowded}: sharp corners are off by {} on average", sharp.sqrt());
+        let place = |i: i32| {
+            let u = f64::from(i) / 449.0;
+            along(sides, u + crowded * u * (1.0 - u))
+        };
+        let fits = fitted_to_noise(&(0..450).map(place).collect::<Vec<_>>(), 20, &options);
+        let off = Off::of(&fits, &corners[..2], |fitted| from_points(fitted, sides));
+        assert!(off.rms <= most, "{crowded}: rms {} on average", off.rms);
+        assert!(off.sharp <= apart_by, "{crowded}: sharp corners are off by {} on average", off.sharp);
     }
 }
 

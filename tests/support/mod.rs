@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "every file of promises takes what it needs")]
 
 pub(crate) mod colors;
+pub(crate) mod contours;
 pub(crate) mod curves;
 pub(crate) mod drawing;
 pub(crate) mod golden;
