@@ -444,3 +444,21 @@ test("what was chosen in a list is taken back by Undo's keys at once, and letter
   await demo.until(() => demo.state(), ({ curve }) => curve.space === "polynomial", "the space of that letter");
   assert.equal(await demo.byId("tool-pen").getAttribute("aria-pressed"), "false");
 });
+
+test("Escape in the zoom box shows the zoom that is in force again, and so does leaving it", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  const percent = demo.byId("zoom-pct");
+  const shown = await percent.inputValue();
+  const { view } = await demo.state();
+  await percent.fill("777");
+  await demo.press("Escape");
+  assert.equal(await percent.inputValue(), shown);
+  await demo.press("Tab");
+  assert.deepEqual((await demo.state()).view, view);
+  // What the wheel does meanwhile does not disturb who types.
+  await percent.focus();
+  await demo.wheel(await demo.centre("stage"), 3);
+  assert.equal(await percent.inputValue(), shown);
+  await demo.press("Tab");
+  assert.equal(await percent.inputValue(), `${Math.round((await demo.state()).view.zoom * 100)} %`);
+});

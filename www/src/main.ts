@@ -11,9 +11,10 @@ import { pageIo } from "./io/page-io.ts";
 import { startEngine } from "./kernel/engine.ts";
 import { mountPanels } from "./panels/mount.ts";
 import { keepFocus } from "./panels/page/focus.ts";
+import { mountZoomBox } from "./panels/stage/zoom-box.ts";
 import { createProxies } from "./render/proxies.ts";
 import { createStage } from "./render/stage.ts";
-import { mountHint, mountLabel, mountLive, mountZoomBox } from "./render/stage-parts.ts";
+import { mountHint, mountLabel, mountLive } from "./render/stage-parts.ts";
 import { createTools } from "./tools/tools.ts";
 
 /** Puts the page together: the editor, the stage, the panels, and the first document. */

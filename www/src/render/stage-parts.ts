@@ -1,10 +1,9 @@
 import type { EditorState, Editor } from "../editor/editor.ts";
 import { describe } from "../editor/curve/edits.ts";
 import { hintFor } from "../editor/hint.ts";
-import { zoomTo } from "../editor/actions/standard-actions.ts";
 import { measureCurve } from "../kernel/curve/measuring/measure.ts";
 
-/** The small DOM parts of the stage: the hint line, the zoom box, and what screen readers hear. */
+/** The small DOM parts of the stage: the hint line, and what screen readers hear. */
 
 /** What the stage is called, which is up to the mode. */
 export function mountLabel(editor: Editor, surface: HTMLElement, until: AbortSignal): void {
@@ -24,46 +23,6 @@ export function mountHint(editor: Editor, element: HTMLElement, until: AbortSign
     },
     { until, now: true },
   );
-}
-
-function actionButton(editor: Editor, id: string, testId: string, sign: string): HTMLButtonElement {
-  const action = editor.actions.get(id);
-  const button = document.createElement("button");
-  button.type = "button";
-  button.textContent = sign;
-  button.dataset["testid"] = testId;
-  button.setAttribute("aria-label", action?.label ?? id);
-  button.title = `${action?.label ?? id} (${action?.keys[0] ?? ""})`;
-  button.addEventListener("click", () => editor.actions.run(id));
-  return button;
-}
-
-export function mountZoomBox(editor: Editor, box: HTMLElement, until: AbortSignal): void {
-  const percent = document.createElement("input");
-  percent.type = "text";
-  percent.inputMode = "decimal";
-  percent.dataset["testid"] = "zoom-pct";
-  percent.setAttribute("aria-label", "Zoom in percent");
-  const zoomNow = (): number => editor.modes.get(editor.state.value.mode)?.view?.zoomNow ?? editor.state.value.view.zoom;
-  const print = (): void => {
-    const now = zoomNow() * 100;
-    const text = `${now < 1 ? Number(now.toPrecision(2)) : now < 1e6 ? Math.round(now) : now.toExponential(1).replace("+", "")} %`;
-    if (percent.value !== text) percent.value = text;
-  };
-  percent.addEventListener("change", () => {
-    const typed = Number(percent.value.replace("%", "").replace(",", ".").trim());
-    if (Number.isFinite(typed) && typed > 0) zoomTo(editor, typed / 100);
-    print();
-  });
-  percent.addEventListener("focus", () => percent.select());
-  box.append(
-    actionButton(editor, "zoom-out", "zoom-out", "\u2212"),
-    percent,
-    actionButton(editor, "zoom-in", "zoom-in", "+"),
-    actionButton(editor, "zoom-fit", "zoom-fit", "\u2922"),
-  );
-  editor.state.subscribe(() => document.activeElement !== percent && print(), { until });
-  print();
 }
 
 const settleMs = 700;
