@@ -1,3 +1,4 @@
+import "../../styles/menu.css";
 import { isEnd, isSelected, samePoint, type CurveDocument, type PointRef } from "../../document/document.ts";
 import type { Action, Editor, Target } from "../../editor/editor.ts";
 import { h } from "../controls/dom.ts";
