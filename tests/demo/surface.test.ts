@@ -350,3 +350,22 @@ test("the 3-D library is loaded with Surface mode and not before", async (t) => 
   await demo.idle();
   assert.ok(requests.some((name) => /shaded-view/.test(name)));
 });
+
+test("the zoom is that of the view: moving a point changes neither, and fitting the surface makes it 100 % again", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-torus");
+  const percent = (): Promise<string> => demo.byId("zoom-pct").inputValue();
+  assert.equal(await percent(), "100 %");
+  await demo.drag("cp-1-1", 160, 0);
+  assert.equal(await percent(), "100 %");
+  // The page's own file opens with the view as it was.
+  await demo.page.evaluate(() => window.explineDemo.setState(window.explineDemo.getState()));
+  const opened = await percent();
+  await demo.drag("cp-1-1", -90, 0);
+  assert.equal(await percent(), opened);
+  await demo.byId("zoom-fit").click();
+  await demo.idle();
+  assert.equal(await percent(), "100 %");
+  await demo.byId("zoom-pct").fill("50");
+  await demo.press("Enter");
+  assert.equal(await percent(), "50 %");
+});

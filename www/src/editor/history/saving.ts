@@ -49,7 +49,7 @@ export function createSaving({ state, timelines, modes, opened }: SavingOptions)
     replace(timelines.fit, { fit }, fresh);
     replace(timelines.trace, { trace }, fresh);
     const { solid } = state.value;
-    state.set({ ...state.value, mode, view, solid: orbit === undefined ? solid : { ...solid, orbit } });
+    state.set({ ...state.value, mode, view, solid: orbit === undefined ? solid : { ...solid, orbit, full: 0 } });
     // The curve comes last: what it is put on is then the stage that it belongs to.
     replace(timelines.curve, { curve, selection: nothingSelected }, fresh);
   }

@@ -120,7 +120,7 @@ export interface Ball {
 }
 
 /** The distance from which a ball fits the stage with a margin. */
-export function fittingDistance({ radius }: Ball, stage: StageBox): number {
+export function fittingDistance({ radius }: Pick<Ball, "radius">, stage: StageBox): number {
   const narrow = Math.min(1, stage.width / Math.max(1, stage.height));
   return (1.12 * Math.max(radius, 1e-9)) / Math.sin(Math.atan(Math.tan(opening / 2) * narrow));
 }

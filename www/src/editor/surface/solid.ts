@@ -8,6 +8,8 @@ export type DragAxis = "view" | "x" | "y" | "z" | "normal";
 
 export interface SolidState {
   readonly orbit: Orbit;
+  /** Radius of what fills the stage at 100 %: of the surface as it was opened or last fitted. 0 before that. */
+  readonly full: number;
   readonly shade: Shade;
   /** Sides of a patch that is drawn, 4 … 64. */
   readonly tessellation: number;
@@ -30,6 +32,6 @@ export interface SolidState {
 export const startOrbit: Orbit = { yaw: 0.9, pitch: 0.55, distance: 5, target: [0, 0, 0] };
 
 export const startSolid: SolidState = {
-  orbit: startOrbit, shade: "solid", tessellation: 16, axis: "view", net: true, iso: true,
+  orbit: startOrbit, full: 0, shade: "solid", tessellation: 16, axis: "view", net: true, iso: true,
   handles: true, weights: false, hover: null, drag: null, turning: false, shaded: false,
 };

@@ -20,8 +20,11 @@ export function patchSolid(editor: Editor, change: Partial<SolidState>): void {
 
 /** The sample that the document only names is opened, and what no library could draw gives way to it: no entry in the history. */
 export function ensureSurface(editor: Editor): void {
-  const { surface } = editor.state.value;
-  if (surface.net.length > 0 && isDrawable(editor, surface)) return;
+  const { surface, solid } = editor.state.value;
+  if (surface.net.length > 0 && isDrawable(editor, surface)) {
+    if (solid.full === 0) patchSolid(editor, { full: extentOf(surface).radius });
+    return;
+  }
   if (surfaceTitle(surface.sample) === "") editor.notify({ kind: "toast", text: `There is no sample called ${surface.sample}.` });
   editor.surfaceEdits.settle({ surface: openedSurface({ ...surface, net: [] }), chosen: noNetPoints });
   fitSurface(editor, true);
@@ -55,7 +58,7 @@ export function fitSurface(editor: Editor, fresh = false): void {
   const { surface, stage, solid } = editor.state.value;
   const extent = extentOf(surface);
   const turn = fresh ? startOrbit : solid.orbit;
-  patchSolid(editor, { orbit: { ...turn, target: extent.center, distance: fittingDistance(extent, stage) } });
+  patchSolid(editor, { orbit: { ...turn, target: extent.center, distance: fittingDistance(extent, stage) }, full: extent.radius });
 }
 
 export function lookFrom(editor: Editor, turn: { readonly yaw: number; readonly pitch: number }): void {

@@ -11,6 +11,11 @@ export function surfaceView(editor: Editor): ModeView {
     const { surface, stage } = editor.state.value;
     return fittingDistance(extentOf(surface), stage);
   };
+  // Moving a point changes how large the surface is, but not how it is looked at.
+  const full = (): number => {
+    const { solid, stage } = editor.state.value;
+    return fittingDistance({ radius: solid.full }, stage);
+  };
   const see = (orbit: Orbit): void => patchSolid(editor, { orbit });
   return {
     pan(dx, dy) {
@@ -22,11 +27,11 @@ export function surfaceView(editor: Editor): ModeView {
     },
     zoomTo(zoom) {
       const { orbit } = editor.state.value.solid;
-      see(dollied(orbit, (zoom * orbit.distance) / fitting(), fitting()));
+      see(dollied(orbit, (zoom * orbit.distance) / full(), fitting()));
     },
     fit: () => fitSurface(editor),
     get zoomNow() {
-      return fitting() / editor.state.value.solid.orbit.distance;
+      return full() / editor.state.value.solid.orbit.distance;
     },
     pinch(a, b) {
       const { solid, stage } = editor.state.value;
