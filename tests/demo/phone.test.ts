@@ -219,3 +219,13 @@ test("with the sheet all the way up, the program and what the page says are in s
     assert.ok(isInSight, "the message");
   }
 });
+
+test("who has fingers is not told of keys", async (t) => {
+  const demo = await open(t, "", phone);
+  await demo.byId("sheet-up").click();
+  for (const mode of ["curve", "surface"] as const) {
+    await demo.byId(`tab-${mode}`).click();
+    await demo.still();
+    assert.match(await demo.byId("panel").getByText("Nothing selected.").innerText(), /^Nothing selected\. Tap a (?:control )?point\.$/u);
+  }
+});

@@ -6,6 +6,11 @@ export interface Section {
   update(state: EditorState): void;
 }
 
+/** Keys are named to who may have some. */
+export function nothingSelected({ touch }: EditorState, point: string): string {
+  return `Nothing selected. ${touch ? `Tap ${point}.` : `Click ${point}, or press ] to step through them.`}`;
+}
+
 /** The panel of a mode that is loaded when it is first opened. */
 export interface ModePanel {
   readonly element: HTMLElement;

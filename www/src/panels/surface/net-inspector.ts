@@ -4,7 +4,7 @@ import { nudgeNet, nudgeUnit, patchSolid, placeNet, shownPoint } from "../../edi
 import { h, setAttribute, setText } from "../controls/dom.ts";
 import { numberField, selectField } from "../controls/fields.ts";
 import { icon, type IconName } from "../controls/icons.ts";
-import type { Section } from "../mode/panel-parts.ts";
+import { nothingSelected, type Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 
 const axes: readonly (readonly [DragAxis, string])[] = [
@@ -44,7 +44,7 @@ export function netInspector(shell: Shell): Section {
   });
   const pad = nudgePad(shell);
   const which = h("span", { class: "section-note num" });
-  const none = h("p", { class: "quiet" }, "Nothing selected. Click a control point, or press ] to step through them.");
+  const none = h("p", { class: "quiet" });
   const triple = h("div", { class: "triple" }, ...fields.map((field) => field.element));
   const element = h("section", { class: "section", "aria-label": "Selected" },
     h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Selected"), which), none, triple, axis.element, pad.element);
@@ -55,6 +55,7 @@ export function netInspector(shell: Shell): Section {
       const [ref] = chosen;
       const point = ref === undefined || chosen.length > 1 ? undefined : shownPoint(surface, ref);
       none.hidden = chosen.length > 0;
+      setText(none, nothingSelected(state, "a control point"));
       triple.hidden = chosen.length === 0;
       pad.element.hidden = chosen.length === 0;
       setText(which, chosen.length > 1

@@ -2,13 +2,13 @@ import { baseCount } from "../../../document/document.ts";
 import type { EditorState } from "../../../editor/editor.ts";
 import { late } from "../../../editor/loading.ts";
 import { h, setText } from "../../controls/dom.ts";
-import type { Section } from "../../mode/panel-parts.ts";
+import { nothingSelected, type Section } from "../../mode/panel-parts.ts";
 import type { Shell } from "../../shell.ts";
 
 /** The chosen point in numbers, which come when there is one: typed values are exact. Several points: their box, what they share, and what brings them in line. */
 export function inspectorSection({ editor }: Shell): Section {
   const which = h("span", { class: "section-note num" });
-  const none = h("p", { class: "quiet" }, "Nothing selected. Click a point, or press ] to step through them.");
+  const none = h("p", { class: "quiet" });
   const numbers = h("div", { class: "inspector" });
   const together = h("div", { class: "inspector" });
   const point = late(editor, hasAny, async () => (await import("./numbers.ts")).pointNumbers(editor), (section) => {
@@ -24,6 +24,7 @@ export function inspectorSection({ editor }: Shell): Section {
     element: h("section", { class: "section", "aria-label": "Selected" }, head, none, together, numbers),
     update(state) {
       none.hidden = hasAny(state);
+      setText(none, nothingSelected(state, "a point"));
       numbers.hidden = !hasAny(state);
       together.hidden = !hasSeveral(state);
       setText(which, describeSelection(state));
