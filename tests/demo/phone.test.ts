@@ -229,3 +229,20 @@ test("who has fingers is not told of keys", async (t) => {
     assert.match(await demo.byId("panel").getByText("Nothing selected.").innerText(), /^Nothing selected\. Tap a (?:control )?point\.$/u);
   }
 });
+
+test("the phone's menu closes when the focus goes on past it, and on Escape from its button", async (t) => {
+  const demo = await open(t, "", smallest);
+  const { page } = demo;
+  const isOpen = async (): Promise<boolean> => demo.byId("btn-samples").isVisible();
+  await demo.byId("btn-menu").click();
+  assert.ok(await isOpen());
+  for (let i = 0; i < 6; i += 1) await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => (document.activeElement as HTMLElement).dataset["testid"]), "btn-menu");
+  assert.ok(await isOpen(), "its button is a part of it");
+  await page.keyboard.press("Escape");
+  assert.equal(await isOpen(), false);
+  await page.keyboard.press("Enter");
+  assert.ok(await isOpen());
+  for (let i = 0; i < 7; i += 1) await page.keyboard.press("Tab");
+  assert.equal(await isOpen(), false);
+});

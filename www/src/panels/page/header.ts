@@ -30,17 +30,19 @@ export function mountHeader(shell: Shell, theme: ThemeControl): void {
     panelToggle(shell),
     toggle,
   );
-  // A choice closes the phone's menu; so does a press anywhere else.
+  // A choice closes the phone's menu; so does a press anywhere else, and going on to anything else.
   menu.addEventListener("click", (event) => {
     if (menu.dataset["open"] !== "true" || !(event.target instanceof Element) || event.target.closest("[data-stays]") !== null) return;
     closeMenu(menu, toggle);
     // A dialog that it opens gives the focus back to what is still there then.
     toggle.focus();
   });
-  document.addEventListener("pointerdown", (event) => {
-    if (event.target instanceof Node && !menu.contains(event.target) && !toggle.contains(event.target)) closeMenu(menu, toggle);
-  }, { signal: shell.until });
-  menu.addEventListener("keydown", (event) => {
+  for (const type of ["pointerdown", "focusin"]) {
+    document.addEventListener(type, ({ target }) => {
+      if (target instanceof Node && !menu.contains(target) && !toggle.contains(target)) closeMenu(menu, toggle);
+    }, { signal: shell.until });
+  }
+  regions.header.addEventListener("keydown", (event) => {
     if (event.key !== "Escape" || menu.dataset["open"] !== "true") return;
     event.stopPropagation();
     closeMenu(menu, toggle);
