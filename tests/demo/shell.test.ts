@@ -462,3 +462,21 @@ test("Escape in the zoom box shows the zoom that is in force again, and so does 
   await demo.press("Tab");
   assert.equal(await percent.inputValue(), `${Math.round((await demo.state()).view.zoom * 100)} %`);
 });
+
+test("keys of who has walked past the end of a dialog do nothing to the drawing behind it", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.focusStage();
+  await demo.press("]");
+  const before = await demo.state();
+  await demo.byId("btn-help").click();
+  await demo.byId("help-dialog").waitFor();
+  const isNowhere = (): Promise<boolean> => demo.page.evaluate(() => document.activeElement === document.body);
+  for (let i = 0; i < 20 && !(await isNowhere()); i += 1) await demo.press("Tab");
+  assert.ok(await isNowhere(), "the browser goes on to its own bar after the last control");
+  await demo.press("Delete", "ArrowRight", "2");
+  assert.deepEqual(await demo.state(), before);
+  await demo.press("Tab");
+  assert.ok(await demo.page.evaluate(() => document.activeElement?.closest("dialog") !== null), "and comes back into the dialog");
+  await demo.press("Escape");
+  await demo.byId("help-dialog").waitFor({ state: "detached" });
+});

@@ -59,6 +59,8 @@ export function openDialog(options: DialogOptions, ...children: readonly Child[]
   });
   // Keys in a dialog are the dialog's: the page's shortcuts stay out of it.
   element.addEventListener("keydown", (event) => event.stopPropagation());
+  // And so are those of who has gone past its last control and is nowhere.
+  window.addEventListener("keydown", (event) => event.target === document.body && event.stopPropagation(), { capture: true, signal: gone.signal });
   document.body.append(element);
   element.showModal();
   return { element, body, foot, close: () => element.close() };
