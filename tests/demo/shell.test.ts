@@ -480,3 +480,24 @@ test("keys of who has walked past the end of a dialog do nothing to the drawing 
   await demo.press("Escape");
   await demo.byId("help-dialog").waitFor({ state: "detached" });
 });
+
+test("the number that was refused is not said of another point, nor once a good one is typed", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.focusStage();
+  await demo.press("]");
+  await demo.byId("pt-x").fill("far");
+  await demo.press("Enter");
+  assert.match(await demo.textOf("error"), /Enter a number/);
+  await demo.focusStage();
+  await demo.press("]");
+  await demo.still();
+  assert.equal(await demo.byId("error").count(), 0);
+  assert.equal(await demo.byId("pt-x").getAttribute("aria-invalid"), null);
+  // Nor when the old number is typed in its place.
+  const kept = await demo.byId("points").inputValue();
+  for (const typed of ["none", kept]) {
+    await demo.byId("points").fill(typed);
+    await demo.press("Enter");
+    assert.equal(await demo.byId("error").count(), typed === kept ? 0 : 1);
+  }
+});

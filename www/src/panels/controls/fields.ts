@@ -83,7 +83,8 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
   input.addEventListener("change", commit);
   // A value that arrives in one piece (dictation, a password manager, a script) has no keystroke to wait for.
   input.addEventListener("input", (event) => {
-    if (!(event instanceof InputEvent)) commit();
+    if (input.value === printed) say("");
+    else if (!(event instanceof InputEvent)) commit();
   });
   input.addEventListener("focus", () => input.select());
   input.addEventListener("keydown", (event) => {
@@ -109,6 +110,8 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
     show(value) {
       input.disabled = value === null;
       if (Object.is(value, shown) && document.activeElement === input) return;
+      // What was refused was said of the value before.
+      if (!Object.is(value, shown)) say("");
       shown = value;
       if (document.activeElement !== input || input.value === printed) print();
     },
