@@ -109,7 +109,7 @@ test("the number that the page opens with, and the Bézier's beside it, are in s
 });
 
 test("the hint is there to its last word, at any size of text", async (t) => {
-  for (const [viewport, size] of [[{ width: 1280, height: 800 }, "200%"], [{ width: 720, height: 450 }, "100%"], [{ width: 320, height: 568 }, "100%"]] as const) {
+  for (const [viewport, size] of [[{ width: 1280, height: 800 }, "200%"], [{ width: 720, height: 450 }, "100%"], [{ width: 320, height: 568 }, "100%"], [{ width: 320, height: 568 }, "200%"]] as const) {
     const demo = await open(t, "", { viewport });
     await demo.page.evaluate((text) => { document.documentElement.style.fontSize = text; }, size);
     await demo.still();
@@ -245,4 +245,38 @@ test("the phone's menu closes when the focus goes on past it, and on Escape from
   assert.ok(await isOpen());
   for (let i = 0; i < 7; i += 1) await page.keyboard.press("Tab");
   assert.equal(await isOpen(), false);
+});
+
+test("on a phone that lies on its side an empty stage shows all that it offers", async (t) => {
+  for (const viewport of [{ width: 740, height: 360 }, { width: 667, height: 375 }]) {
+    const demo = await open(t, "#/trace", { ...phone, viewport });
+    for (const mode of ["trace", "fit", "curve"] as const) {
+      await demo.byId(`tab-${mode}`).click();
+      await demo.idle();
+      // What is cleared is in the drawer.
+      if (mode !== "trace") await demo.byId("btn-clear").evaluate((button: HTMLButtonElement) => button.click());
+      await demo.byId(`empty-${mode}`).waitFor();
+      await demo.still();
+      const zoom = await demo.page.locator(".stage-zoom").boundingBox();
+      const header = await demo.page.locator(".header").boundingBox();
+      assert.ok(zoom !== null && header !== null);
+      for (const each of await demo.byId(`empty-${mode}`).locator("h2, .button, .trace-drop, .sample, p").all()) {
+        const box = await each.boundingBox();
+        assert.ok(box === null || (box.y >= header.y + header.height && box.y + box.height <= zoom.y), `${mode}: ${JSON.stringify({ box, zoom })}`);
+      }
+      const hidden = await demo.byId(`empty-${mode}`).evaluate(({ scrollHeight, clientHeight }) => scrollHeight - clientHeight);
+      assert.ok(hidden <= 0, `${mode}: ${hidden} px are out of sight`);
+    }
+  }
+});
+
+test("with text twice as large on the smallest phone the stage keeps half of the screen, and an empty Trace says what it is", async (t) => {
+  const demo = await open(t, "#/trace", smallest);
+  await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
+  await demo.still();
+  const stage = await demo.byId("stage").boundingBox();
+  assert.ok(stage !== null && stage.height >= 284, JSON.stringify(stage));
+  const title = await demo.page.locator(".empty-trace > h2").boundingBox();
+  const card = await demo.byId("empty-trace").boundingBox();
+  assert.ok(title !== null && card !== null && title.y >= card.y && title.y + title.height <= card.y + card.height, JSON.stringify({ title, card }));
 });
