@@ -280,3 +280,23 @@ test("with text twice as large on the smallest phone the stage keeps half of the
   const card = await demo.byId("empty-trace").boundingBox();
   assert.ok(title !== null && card !== null && title.y >= card.y && title.y + title.height <= card.y + card.height, JSON.stringify({ title, card }));
 });
+
+test("the longest shape of Surface is read to its last letter, on a desktop and with text twice as large on phones", async (t) => {
+  for (const options of [{}, smallest, { ...phone, viewport: { width: 360, height: 740 } }]) {
+    const demo = await open(t, "#/surface?sample=surf-paraboloid", options);
+    if ("viewport" in options) {
+      await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
+      await demo.byId("sheet-up").click();
+      await demo.byId("sheet-up").click();
+    }
+    await demo.still();
+    const { letters, room } = await demo.byId("surf-sample").evaluate((select: HTMLSelectElement) => {
+      const { font, fontSize } = getComputedStyle(select);
+      const context = document.createElement("canvas").getContext("2d");
+      if (context !== null) context.font = font;
+      // The arrow is as wide as the letters are high.
+      return { letters: context?.measureText(select.selectedOptions[0]?.text ?? "").width ?? Infinity, room: select.clientWidth - 2 * parseFloat(getComputedStyle(select).paddingInlineStart) - parseFloat(fontSize) };
+    });
+    assert.ok(letters > 0 && letters <= room, `${letters} px in ${room}`);
+  }
+});

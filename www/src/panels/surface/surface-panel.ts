@@ -1,4 +1,5 @@
 import "../../styles/buttons.css";
+import "../../styles/surface.css";
 import { surfaceSamples, surfaceTitle } from "../../document/surface/surface-samples.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import type { Shade } from "../../editor/surface/solid.ts";
