@@ -150,3 +150,20 @@ test("an address that names no sample is said to, from whichever mode it is open
   await demo.byId("toast").filter({ hasText: "There is no sample called nobody." }).waitFor();
   assert.equal((await demo.state()).mode, "curve");
 });
+
+test("of several files that are dropped, those that are refused are said when the others are there", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.page.evaluate((text) => {
+    const data = new DataTransfer();
+    for (const [content, name, type] of [["PK", "old.zip", "application/zip"], ["<svg", "broken.svg", "image/svg+xml"], [text, "logo.svg", "image/svg+xml"]] as const) {
+      data.items.add(new File([content], name, { type }));
+    }
+    document.querySelector("canvas")?.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, logo);
+  await demo.byId("toast").waitFor();
+  await demo.byId("error").waitFor();
+  await demo.still();
+  assert.match(await demo.textOf("error"), /old\.zip is not a file.*The SVG could not be read/su);
+  assert.match(await demo.textOf("toast"), /Imported 1 contour/);
+  assert.equal((await demo.state()).curve.contours.length, 1);
+});

@@ -9,7 +9,7 @@ import { documentBounds } from "../../kernel/curve/samples.ts";
 import { errorText } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
 import { pasteCopy, rememberCopy } from "./clipboard.ts";
-import { naturalDestination, place, readOrReport } from "./load.ts";
+import { naturalDestination, place, readWhole } from "./load.ts";
 import { layersOf, lookOf } from "./look.ts";
 import { openPicture } from "./open-picture.ts";
 import { report } from "./report.ts";
@@ -100,19 +100,23 @@ export async function copied(shell: Shell, coming: Promise<Copy | null>, taken: 
 
 /** Text from a paste or a drop: added to the drawing, or opened when it is a whole file. */
 export async function receiveText(shell: Shell, text: string): Promise<void> {
+  try {
+    await takeIn(shell, text);
+  } catch (error) {
+    report(shell, error);
+  }
+}
+
+/** @throws Problem */
+async function takeIn(shell: Shell, text: string): Promise<void> {
   if (shell.editor.state.value.engine.status !== "ready") return;
   await gestureOver(shell);
   if (pasteCopy(shell.editor, text)) return;
   const file = await shell.io.fileInText(text);
   if (file !== null) return receiveFiles(shell, [file]);
-  const imported = await readOrReport(shell, text);
-  if (imported === null) return;
+  const imported = await readWhole(shell, text);
   await gestureOver(shell);
-  try {
-    await place(shell, imported, naturalDestination(shell));
-  } catch (error) {
-    report(shell, error);
-  }
+  await place(shell, imported, naturalDestination(shell));
 }
 
 /** Where a picture is waited for, a file that is none is told so. */
@@ -121,15 +125,26 @@ function forTrace({ editor }: Shell, file: File, error: unknown): unknown {
   return strange ? new Problem("image-type", { name: error.details.name ?? file.name }) : error;
 }
 
-/** Files from a drop or a paste, one after the other; each is reported on by itself. The first picture is the last that is opened. */
+/** Opens one of several files; whether it was a picture. @throws Problem */
+async function receiveFile(shell: Shell, file: File): Promise<boolean> {
+  const incoming = await shell.io.readIncoming(file);
+  if (!("picture" in incoming)) await takeIn(shell, incoming.text);
+  else if (shell.editor.state.value.engine.status === "ready") {
+    await openPicture(shell, incoming.name, incoming.picture);
+    return true;
+  }
+  return false;
+}
+
+/** Files from a drop or a paste, one after the other. The first picture is the last that is opened; what was refused is said last, for good news would take it away. */
 export async function receiveFiles(shell: Shell, files: readonly File[]): Promise<void> {
+  const refused: unknown[] = [];
   for (const file of files.slice(0, 20)) {
     try {
-      const incoming = await shell.io.readIncoming(file);
-      if (!("picture" in incoming)) await receiveText(shell, incoming.text);
-      else if (shell.editor.state.value.engine.status === "ready") return await openPicture(shell, incoming.name, incoming.picture);
+      if (await receiveFile(shell, file)) break;
     } catch (error) {
-      report(shell, forTrace(shell, file, error));
+      refused.push(forTrace(shell, file, error));
     }
   }
+  report(shell, ...refused);
 }

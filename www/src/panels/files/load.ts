@@ -72,14 +72,9 @@ function summary(contours: readonly Contour[]): string {
   return `Imported ${contours.length === 1 ? "1 contour" : `${contours.length} contours`}, ${points} points.`;
 }
 
-/** Reads a text or reports why not; nothing changes on failure. A path that breaks off counts as failure here. */
-export async function readOrReport(shell: Shell, text: string): Promise<Imported | null> {
-  try {
-    const imported = await shell.io.readImport(text, shell.editor.state.value.curve.space);
-    if (imported.kind !== "json" && imported.broken !== null) throw imported.broken;
-    return imported;
-  } catch (error) {
-    report(shell, error);
-    return null;
-  }
+/** Reads a text. A path that breaks off counts as failure here. @throws Problem */
+export async function readWhole(shell: Shell, text: string): Promise<Imported> {
+  const imported = await shell.io.readImport(text, shell.editor.state.value.curve.space);
+  if (imported.kind !== "json" && imported.broken !== null) throw imported.broken;
+  return imported;
 }

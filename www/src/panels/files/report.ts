@@ -5,9 +5,13 @@ import { asProblem } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
 
 /** Says what went wrong; the words for it are loaded with the first thing that goes wrong. */
-export function report(shell: Shell, error: unknown): void {
-  const problem = asProblem(error);
-  whenLoaded(shell.editor, import("../messages/file-errors.ts"), ({ problemText }) => shell.toasts.error(problem.id, problemText(problem.id, problem.details)));
+export function report(shell: Shell, ...errors: readonly unknown[]): void {
+  const problems = errors.map(asProblem);
+  const [first] = problems;
+  if (first === undefined) return;
+  whenLoaded(shell.editor, import("../messages/file-errors.ts"), ({ problemText }) => {
+    shell.toasts.error(first.id, [...new Set(problems.map(({ id, details }) => problemText(id, details)))].join(" "));
+  });
 }
 
 /** A whole state from outside in place of the present one; false (and a message) when it cannot be drawn. */
