@@ -262,3 +262,19 @@ test("a very long program waits for the end of a drag, and is then that of what 
   await demo.idle();
   assert.notEqual(await demo.textOf("code-listing"), before);
 });
+
+test("where nothing is drawn Export says so, and never writes what another mode has", async (t) => {
+  const demo = await open(t, "#/trace");
+  const offered = async (): Promise<boolean> => {
+    await demo.press("Control+e");
+    return (await demo.byId("export-dialog").count()) > 0;
+  };
+  assert.equal(await offered(), false, "an empty Trace");
+  assert.match(await demo.textOf("toast"), /nothing to export yet/);
+  await demo.byId("tab-curve").click();
+  await demo.idle();
+  await demo.byId("btn-clear").click();
+  assert.equal(await offered(), false, "an empty Curve");
+  await demo.press("Control+z");
+  assert.ok(await offered());
+});

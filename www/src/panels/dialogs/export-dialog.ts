@@ -19,6 +19,7 @@ import { exportResult, type Box } from "./export-result.ts";
 /** The drawing as text and files, with a preview, its size, and the deviation measured on the text itself. */
 export function openExport(shell: Shell): void {
   const curve = drawingOnStage(shell.editor);
+  if (curve === null || curve.contours.length === 0) return shell.toasts.say("There is nothing to export yet. Draw something, or open a sample.");
   const box = documentBounds(curve);
   // Written once for each choice of options, however many ask for it.
   let written: FileLook | null = null;
@@ -62,8 +63,10 @@ function turnedNote({ state }: Editor): readonly HTMLElement[] {
   return mode === "fit" && fit.up === true ? [h("p", { class: "quiet", testid: "export-turned" }, "In a drawing y points down: every y of your data is written with the other sign. JSON keeps the numbers.")] : [];
 }
 
-function drawingOnStage({ modes, state }: Editor): CurveDocument {
-  return modes.get(state.value.mode)?.drawing?.(state.value) ?? state.value.curve;
+/** Of another mode than Curve what it made, and never Curve's drawing in place of that. */
+function drawingOnStage({ modes, state }: Editor): CurveDocument | null {
+  const { mode, curve } = state.value;
+  return mode === "curve" ? curve : modes.get(mode)?.drawing?.(state.value) ?? null;
 }
 
 function copy({ io, toasts }: Shell, text: string, what: string): void {
