@@ -251,6 +251,8 @@ test("the help lists the gestures of the mode that it is opened in, and those of
     const said = await demo.textOf("help-dialog");
     assert.ok(said.includes(own) && said.includes("zoom at the pointer"), `${hash} lacks its gestures`);
     assert.ok(!said.includes(other), `${hash} has those of another mode`);
+    // The stage's menu is Curve's alone.
+    assert.equal(said.includes("opens a menu"), hash === "#/curve", hash);
   }
 });
 

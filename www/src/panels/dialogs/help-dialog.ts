@@ -24,6 +24,7 @@ const gesturesOf: Readonly<Record<Mode, readonly Gesture[]>> = {
     ["Drag across empty space", "selects; Shift adds, Alt subtracts"],
     ["Drag a grip on the frame", "scales or rotates whole contours exactly; Shift keeps proportions"],
     ["Shift or Alt with arrow keys", "nudges by 10 or by 0.1"],
+    ["Right-click, long press", "opens a menu for what is there"],
   ],
   fit: [
     ["Drag", "draws a stroke, or removes points with Erase"],
@@ -47,7 +48,6 @@ const everywhere: readonly Gesture[] = [
   ["Space-drag, middle-drag", "pan the view"],
   ["Two-finger tap", "undoes; three fingers redo"],
   ["Ctrl+V", "pastes an SVG, a path, points, a picture or an expline file"],
-  ["Right-click, long press", "opens a menu for what is there"],
 ];
 
 const switches: readonly (readonly [keyof Settings & ("singleKeys" | "scrollPans" | "moveByClicks" | "penPans"), string, string])[] = [
