@@ -169,3 +169,35 @@ test("what is pasted while a point is dragged is there after the drag, as a step
   assert.equal((await demo.state()).curve.contours.length, 1);
   assert.notDeepEqual((await demo.points())[2], before, "the drag is still done");
 });
+
+test("where the browser keeps the clipboard to itself, what was to be copied can be copied by hand, and nothing is cut", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  // As where a page is not served safely, or in a frame that may not.
+  await demo.page.evaluate(() => Object.defineProperty(navigator, "clipboard", { configurable: true, value: undefined }));
+  const offered = async (): Promise<string> => {
+    await demo.byId("by-hand-dialog").waitFor();
+    const text = await demo.page.evaluate(() => {
+      const field = document.activeElement as HTMLTextAreaElement;
+      return field.value.slice(field.selectionStart, field.selectionEnd);
+    });
+    await demo.press("Escape");
+    await demo.byId("by-hand-dialog").waitFor({ state: "detached" });
+    return text;
+  };
+  await demo.byId("btn-share").click();
+  assert.match(await offered(), /^http[^#]*#s=/u);
+  await demo.focusStage();
+  await demo.press("Control+a", "Control+x");
+  assert.match(await offered(), /^<svg/u);
+  assert.equal((await demo.state()).curve.contours.length, 1);
+  await demo.press("Control+e");
+  await demo.byId("export-ts").click();
+  assert.match(await offered(), /from "expline"/u);
+  assert.ok(await demo.byId("export-dialog").isVisible(), "and Export is there as it was");
+  await demo.press("Escape");
+  await demo.byId("export-dialog").waitFor({ state: "detached" });
+  const { x, y } = await demo.toScreen(40, 40);
+  await demo.page.mouse.click(x, y, { button: "right" });
+  await demo.byId("menu-paste").click();
+  assert.match(await demo.textOf("error"), /blocked pasting\. Press Ctrl\+V/u);
+});

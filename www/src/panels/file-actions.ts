@@ -2,8 +2,7 @@ import { writeState } from "../document/file/write.ts";
 import type { Action } from "../editor/editor.ts";
 import { whenLoaded, whileLoading } from "../editor/loading.ts";
 import type { Copy } from "./files/file-work.ts";
-import { errorText } from "./messages/errors.ts";
-import type { Shell } from "./shell.ts";
+import { printedKey, type Shell } from "./shell.ts";
 
 type FileWork = typeof import("./files/file-work.ts");
 
@@ -43,7 +42,9 @@ export function registerFileActions(shell: Shell): void {
   add("cut", "Cut contours", "Edit", ["Mod+X"], copying(({ svgCut }) => svgCut(shell)), drawn);
   // Mod+V is the browser's paste event; this is the menu's way to the same place.
   add("paste", "Paste", "Edit", [], () => {
-    const pasted = navigator.clipboard.readText().then(async (text) => (await fileWork()).receiveText(shell, text), () => toasts.error("clipboard", errorText("clipboard")));
+    // A page that is not served safely has no clipboard at all.
+    const there = async (): Promise<string> => navigator.clipboard.readText();
+    const pasted = there().then(async (text) => (await fileWork()).receiveText(shell, text), () => toasts.error("clipboard", `The browser blocked pasting. Press ${printedKey("Mod+V")} instead.`));
     void whileLoading(editor, pasted);
   }, running);
 }

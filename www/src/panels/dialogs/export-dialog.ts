@@ -8,7 +8,6 @@ import { writePath } from "../../kernel/paths/export.ts";
 import { snippetFor } from "../code/snippets.ts";
 import { button, openDialog } from "../controls/dialog.ts";
 import { h } from "../controls/dom.ts";
-import { errorText } from "../messages/errors.ts";
 import { layersOf, lookOf } from "../files/look.ts";
 import type { FileLook } from "../page-io.ts";
 import type { Shell } from "../shell.ts";
@@ -69,8 +68,11 @@ function drawingOnStage({ modes, state }: Editor): CurveDocument | null {
   return mode === "curve" ? curve : modes.get(mode)?.drawing?.(state.value) ?? null;
 }
 
-function copy({ io, toasts }: Shell, text: string, what: string): void {
-  void io.copyText(text).then((done) => (done ? toasts.say(`Copied ${what}.`) : toasts.error("clipboard", errorText("clipboard"))));
+function copy({ editor, io, toasts }: Shell, text: string, what: string): void {
+  void io.copyText(text).then((done) => {
+    if (done) toasts.say(`Copied ${what}.`);
+    else whenLoaded(editor, import("../files/by-hand.ts"), ({ offerByHand }) => offerByHand(text));
+  });
 }
 
 function jsonButton({ editor, io }: Shell, stem: string): HTMLElement {

@@ -6,7 +6,6 @@ import { documentPathD } from "../../kernel/paths/paths.ts";
 import { decimalsIn } from "../../document/unit.ts";
 import { unitOf } from "../../kernel/unit.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
-import { errorText } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
 import { pasteCopy, rememberCopy } from "./clipboard.ts";
 import { naturalDestination, place, readWhole } from "./load.ts";
@@ -87,11 +86,10 @@ export async function linkCopy({ editor, io, toasts }: Shell): Promise<Copy> {
 
 /** Says what has become of a copy that the clipboard was asked to take. */
 export async function copied(shell: Shell, coming: Promise<Copy | null>, taken: Promise<boolean>): Promise<void> {
-  const { toasts } = shell;
   try {
     const copy = await coming;
     if (copy === null) return;
-    if (!(await taken)) return toasts.error("clipboard", errorText("clipboard"));
+    if (!(await taken)) return (await import("./by-hand.ts")).offerByHand(copy.text);
     await copy.done();
   } catch (error) {
     report(shell, error);
