@@ -474,6 +474,7 @@ test("the menu opens while its button is down, outlives the release, and closes 
     await demo.page.mouse.click(second.x, second.y);
     assert.equal(await menu.count(), 0);
     await demo.byId("pt-x").waitFor();
+    await demo.idle();
     assert.equal(Number(await demo.byId("pt-x").inputValue()).toFixed(1), (await demo.point(1)).x.toFixed(1), "the press has chosen the other point");
     await demo.press("Escape");
   }
