@@ -532,3 +532,28 @@ test("Reverse turns what the menu is over, or all that is chosen; Start here sta
   await demo.press("Home", "Shift+]", "Shift+Delete");
   assert.equal(await demo.textOf("toast"), "2 points deleted. The path is now open there.");
 });
+
+test("a click on an empty stage places the first point, as it says there, and the pen goes on from it", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.byId("btn-clear").click();
+  await demo.byId("empty-curve").waitFor();
+  await demo.still();
+  for (const [x, y] of [[300, 200], [500, 260]] as const) {
+    await demo.page.mouse.click(x, y);
+    await demo.idle();
+    await demo.page.waitForTimeout(450);
+  }
+  await demo.press("Enter");
+  const [first, second] = await demo.points();
+  assert.ok(first !== undefined && second !== undefined);
+  for (const [point, x, y] of [[first, 300, 200], [second, 500, 260]] as const) {
+    const place = await demo.toScreen(point.x, point.y);
+    assert.ok(Math.hypot(place.x - x, place.y - y) < 1, JSON.stringify(place));
+  }
+  assert.equal(await demo.byId("empty-curve").count(), 0);
+  // Where something is drawn, Select is for selecting.
+  await demo.press("v");
+  await demo.page.mouse.click(200, 500);
+  await demo.idle();
+  assert.equal((await demo.points()).length, 2);
+});
