@@ -101,3 +101,17 @@ test("each tool says what a press would do, and so does what lies under the poin
   ];
   for (const [sample, state, says] of all) assert.match(hint(sample, state), says);
 });
+
+test("whoever moves points by clicks is told of the second click, and not of drags", () => {
+  const hand = new Hand("circle-8");
+  hand.editor.setSettings({ moveByClicks: true });
+  hand.editor.patch({ hint: "" });
+  const { x, y } = hand.point(2);
+  hand.click(x, y).wait().moveTo(5, 5);
+  assert.equal(now(hand), "Click where it should go.");
+  hand.click(x + 40, y + 30).wait().moveTo(5, 5);
+  assert.deepEqual([hand.point(2).x, hand.point(2).y], [x + 40, y + 30]);
+  hand.run("select-none");
+  hand.moveTo(6, 6);
+  assert.doesNotMatch(now(hand), /where it should go/u);
+});

@@ -94,6 +94,7 @@ function selectHint(state: EditorState): string {
       return hover.hint;
     case "empty":
       if (curve.contours.length === 0) return "";
+      if (state.settings.moveByClicks && state.selection.points.length > 0) return `${touch ? "Tap" : "Click"} where it should go.`;
       if (curve.contours[state.selection.points[0]?.contour ?? 0]?.family === "interpolating") {
         return `Drag a point: only nearby segments change. ${touch ? "Drag elsewhere to move the view, two fingers to zoom." : "Drag across empty space to select."}`;
       }
