@@ -177,6 +177,21 @@ fn a_closed_subpath_ends_where_it_starts() {
 }
 
 #[test]
+fn a_command_of_no_extent_before_the_end_of_a_closed_subpath_changes_nothing() {
+    let drawn = ["C10 10 0 10 0 0", "Q5 9 0 0", "C10 10 0 0 0 0", "L5 5L0 0", "A5 7 0 0 1 0 0", "L5 9T0 0"];
+    for last in drawn {
+        let plain = bits(&format!("M0 0L10 0{last}Z"));
+        for nothing in
+            ["L0 0", "h0", "v0", "l0 0", "c0 0 0 0 0 0", "q0 0 0 0", "a5 5 0 0 1 0 0", "a0 0 0 0 1 0 0"]
+        {
+            let same = bits(&format!("M0 0L10 0{last}{nothing}Z"));
+            assert_eq!(same, plain, "{last}, then {nothing}");
+        }
+    }
+    assert_eq!(bits("M0 0C6 3 0 9 0 0L0 0Z"), bits("M0 0C6 3 0 9 0 0Z"), "a loop of one segment");
+}
+
+#[test]
 fn a_loop_of_one_segment_is_halved_where_it_was() {
     let curve = only("M0 0C6 3 0 9 0 0Z");
     assert_eq!((curve.points().len(), curve.is_closed()), (2, true), "two points, closed");

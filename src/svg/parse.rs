@@ -264,8 +264,9 @@ impl Reader<'_> {
 
     /// A line (degree 1), parabola (2) or cubic (3) whose last control point but the end is `control`.
     fn bezier(&mut self, leaving: Vector, control: Point, end: Point, degree: f64) -> Step {
+        let points = self.points;
         self.segment(end, leaving, (end - control) * degree, 0.0)?;
-        self.subpath.set_control(control, degree);
+        self.subpath.set_control(control, degree, self.points > points);
         Some(())
     }
 
@@ -274,8 +275,9 @@ impl Reader<'_> {
         if command.radii.x == 0.0 || command.radii.y == 0.0 {
             return self.bezier(end - start, start, end, 1.0);
         }
-        self.subpath.set_control(start, 0.0);
-        if end == start || chord.amax() < LEAST_COORDINATE {
+        let nothing = end == start || chord.amax() < LEAST_COORDINATE;
+        self.subpath.set_control(start, 0.0, !nothing);
+        if nothing {
             return Some(());
         }
         let arc = Arc::new(start, chord, command, 4.0 * f64::EPSILON * (1.0 + size / chord.norm()));

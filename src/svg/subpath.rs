@@ -20,8 +20,11 @@ pub(super) struct Subpath {
     curved: bool,
     /// The largest coordinate of the points.
     largest: f64,
+    /// Of the last command, whether it drew or not.
     control: Point,
     degree: f64,
+    /// Of the last segment.
+    drawn: (Point, f64),
 }
 
 impl Subpath {
@@ -40,10 +43,13 @@ impl Subpath {
         self.curved |= omega != 0.0;
     }
 
-    /// The last command drew with this control point next to its end: the derivative that arrived is
-    /// (end − control)·degree. Degree 0 where it was no Bézier curve.
-    pub(super) fn set_control(&mut self, control: Point, degree: f64) {
+    /// The last command has this control point next to its end: the derivative that arrives is
+    /// (end − control)·degree. Degree 0 where it is no Bézier curve. `drew`: whether it added a segment.
+    pub(super) fn set_control(&mut self, control: Point, degree: f64, drew: bool) {
         (self.control, self.degree) = (control, degree);
+        if drew {
+            self.drawn = (control, degree);
+        }
     }
 
     /// What [`Subpath::set_control`] was given last in this subpath.
@@ -83,14 +89,15 @@ impl Subpath {
     fn close(&mut self) {
         let (Some(&first), Some(&last)) = (self.points.first(), self.points.last()) else { return };
         let gap = first - last;
+        let (control, degree) = self.drawn;
         if gap.amax() > CLOSING_ULPS * f64::EPSILON * self.largest * self.omega.len() as f64 {
             self.push(last, first, gap, gap, 0.0);
-        } else if self.degree > 0.0 {
+        } else if degree > 0.0 {
             // The end moves by a rounding, its control point stays: so what is written from this is read as this.
-            let arriving = (first - self.control) * self.degree;
+            let arriving = (first - control) * degree;
             if let (Some(slot), Some(leaving)) = (self.arriving.last_mut(), self.leaving.last_mut()) {
                 *slot = arriving;
-                if self.degree == 1.0 {
+                if degree == 1.0 {
                     *leaving = arriving;
                 }
             }
