@@ -147,3 +147,32 @@ fn arcs_keep_their_own_radii_on_a_coarse_grid() {
         assert!(text.contains("A20 20 0 0 1"), "{text}");
     }
 }
+
+#[test]
+fn arcs_of_a_few_units_of_the_last_digit_are_drawn_no_farther_off_than_is_said() {
+    let mut random = Random::new(46);
+    let (mut arcs, mut worst) = (0, 0.0_f64);
+    for case in 0..1000 {
+        // In units of the last of three digits: long, thin, round, and smaller than one.
+        let long = 0.001 * 10.0_f64.powf(2.0 * random.symmetric().abs());
+        let radii = Point::new(long, long * 10.0_f64.powf(-2.0 * random.symmetric().abs()));
+        let sweep = PI * random.symmetric();
+        let (center, rotation, start) =
+            (random.vector(0.01), PI * random.symmetric(), PI * random.symmetric());
+        let Ok(curve) = HermiteCurve::arc(center, radii, rotation, start, sweep) else { continue };
+        let printed = print(&curve, &PrintOptions { decimals: Some(3), ..options() });
+        if drawing(&printed.d).first().is_none_or(|(pieces, _)| pieces.is_empty()) {
+            continue;
+        }
+        arcs += usize::from(printed.d.contains('A'));
+        let truth = distance(&curve, &printed.d);
+        worst = worst.max(truth - printed.deviation);
+        assert!(
+            truth <= within(&printed, extent(&curve)),
+            "case {case}: {truth} > {} in {}, of {radii}",
+            printed.deviation,
+            printed.d
+        );
+    }
+    println!("{arcs} arcs, at most {worst:.1e} farther off than was said");
+}

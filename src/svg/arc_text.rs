@@ -13,6 +13,7 @@ use super::text::{ArcText, DecimalGrid, Placed, Plain};
 use crate::curve::{EllipseArc, HermiteCurve};
 use crate::limits::LARGEST_COORDINATE;
 use crate::numerics::angle::sin_cos;
+use crate::numerics::plane::larger;
 use crate::numerics::{Point, Vector};
 
 /// Chords this close to the diameter may be taken for it.
@@ -233,7 +234,9 @@ fn fitting(decimals: u32, largest: f64) -> u32 {
     decimals.min(digits)
 }
 
-/// A bound of the distance between a span of the curve and the ellipse of an arc, measured along rays from its centre.
+/// A bound of the distance between a span of the curve and an arc, both ways, measured along rays from the arc's centre; infinite
+/// where the curve does not turn about it as the arc does: ends of a few units of the grid may be rounded to ends between which the
+/// rest of the ellipse is drawn.
 ///
 /// Between fixed ends the distance along rays is a bump over each segment, over longer arcs a trigonometric polynomial of
 /// degree 2 in the angle: nine samples or more, every tenth of a radian, miss at most 1.6 % of its largest value; 2 % are
@@ -241,16 +244,57 @@ fn fitting(decimals: u32, largest: f64) -> u32 {
 #[inline(never)]
 fn measure(curve: &HermiteCurve, span: Span, arc: &Arc) -> f64 {
     let (uu, vv) = (arc.u.norm_squared(), arc.v.norm_squared());
+    let (first, last) = (arc.point(arc.first), arc.point(arc.last));
     let mut apart = 0.0_f64;
+    // Where the curve was seen last from the centre, in the unit circle, and how far the arc has turned there.
+    let (mut seen, mut turned) = (arc.first, 0.0);
     for i in span.first..=span.last {
         let segment = curve.nth_segment(i);
         let (from, to) = span.part(i);
         let count = (segment.basis.frequency() * (to - from) * 10.0) as u32 + 8;
         for k in 0..=count {
-            let p = segment.position(from + (to - from) * (f64::from(k) / f64::from(count))) - arc.center;
-            let (x, y) = (p.dot(&arc.u) / uu, p.dot(&arc.v) / vv);
-            apart = apart.max(p.norm() * (1.0 - 1.0 / (x * x + y * y).sqrt()).abs());
+            let place = segment.position(from + (to - from) * (f64::from(k) / f64::from(count)));
+            let p = place - arc.center;
+            let e = Vector::new(p.dot(&arc.u) / uu, p.dot(&arc.v) / vv);
+            let norm = e.norm();
+            let e = e / norm;
+            if norm == 0.0 || seen.dot(&e) < 0.5 {
+                return f64::INFINITY;
+            }
+            let step = seen.perp(&e);
+            turned += (step + step * step * step / 6.0) * arc.sweep.signum();
+            let away = if turned < 0.0 {
+                (place - first).norm()
+            } else if turned > arc.sweep.abs() {
+                (place - last).norm()
+            } else {
+                p.norm() * (1.0 - 1.0 / norm).abs()
+            };
+            apart = apart.max(away);
+            if k == 0 && i == span.first && turned > 0.0 {
+                apart = apart.max(farthest(arc, arc.first, e, place));
+            }
+            seen = e;
         }
     }
+    let end = span.end(curve);
+    let rest = arc.sweep.abs() - turned;
+    if rest.abs() > 0.5 * PI {
+        return f64::INFINITY;
+    }
+    if rest > 0.0 {
+        apart = apart.max(farthest(arc, seen, arc.last, end));
+    }
     1.02 * apart
+}
+
+/// How far a place is from that part of an arc which lies between two directions, less than half a turn apart.
+#[inline(never)]
+fn farthest(arc: &Arc, from: Vector, to: Vector, place: Point) -> f64 {
+    let mut far = 0.0;
+    for k in 0..=8 {
+        let e = from + (to - from) * (0.125 * f64::from(k));
+        far = larger(far, (arc.point(e / e.norm()) - place).norm());
+    }
+    far
 }
