@@ -4,7 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use expline::curve::{Scheme, Side};
 use expline::refine::{HermiteData, subdivide_hermite, subdivide_scalar};
-use expline::{HermiteCurve, HermiteOptions, Space};
+use expline::{Error, HermiteCurve, HermiteOptions, Space};
 use nalgebra::Vector2;
 
 type Point = Vector2<f64>;
@@ -284,6 +284,24 @@ fn trimming_takes_the_part_that_was_asked_for() {
     let open = mixed(false, Space::Trigonometric);
     assert_eq!(open.trim(2.0, 1.0).expect_err("backwards").code(), "E_DEGENERATE", "an end before the start");
     assert_eq!(open.trim(-1.0, 1.0).expect_err("outside").code(), "E_RANGE", "a start before the curve");
+}
+
+#[test]
+fn a_part_of_a_closed_curve_that_is_too_short_is_refused_by_its_end() {
+    let curve = circle(3);
+    for way in [2e-16, 1e-13, 9e-13] {
+        let refused = curve.trim(0.5, 0.5 + way).map_err(|error| *error).err();
+        assert!(matches!(refused, Some(Error::Degenerate { argument: "t1", .. })), "{way}: {refused:?}");
+    }
+    for (t0, t1, length) in [
+        (0.5, 0.5 + 2e-12, 2e-12),
+        (0.5, 0.5, 3.0),
+        (0.5, 0.5 - 2e-16, 3.0),
+        (1.0 - 1e-13, 1.0 + 2e-12, 2e-12),
+    ] {
+        let part = curve.trim(t0, t1).expect("long enough").domain().1;
+        assert!((part - length).abs() < 1e-13, "{t0} to {t1}: {part}");
+    }
 }
 
 #[test]

@@ -36,18 +36,20 @@ impl HermiteCurve {
     ///
     /// # Errors
     ///
-    /// A parameter that is not finite or outside the domain of an open curve; on an open curve, t1 not beyond t0
-    /// (by 1e-12 at least).
+    /// A parameter that is not finite or outside the domain of an open curve; t1 less than 1e-12 beyond t0, on an open
+    /// curve also before it.
     pub fn trim(&self, t0: f64, t1: f64) -> Result<Self> {
         let (from, to) = (self.snapped(self.locate(t0)?), self.snapped(self.locate(t1)?));
-        let empty = t1 - t0 < LEAST_LENGTH || from == to;
-        if self.is_closed() {
-            return self.part(from, to, from.0 > to.0 || (from.0 == to.0 && from.1 >= to.1));
-        }
+        let around = self.is_closed() && (from.0 > to.0 || (from.0 == to.0 && from.1 >= to.1));
+        let empty = if self.is_closed() {
+            !around && from.0 == to.0 && (to.1 - from.1) * self.lengths()[from.0] < LEAST_LENGTH
+        } else {
+            t1 - t0 < LEAST_LENGTH || from == to
+        };
         if empty {
             return Err(Error::degenerate("t1", None, "it must lie beyond t0"));
         }
-        self.part(from, to, false)
+        self.part(from, to, around)
     }
 
     /// Moves a place that is next to a knot onto it, so that no part is too short; x is below 1 afterwards.
