@@ -63,6 +63,25 @@ test("the slim entry's fitSparse says that it waits for initFit, which finds its
   assert.equal(said, "E_NOT_READY true");
 });
 
+test("an abort at whichever step is an abort, also at the last one", async () => {
+  const many = noisyCircle(3000, 0.01, 2);
+  const fitter = new SparseFitter(many, OPTIONS);
+  for (const work of [(watch: object) => fitSparseAsync(many, { ...OPTIONS, ...watch }), (watch: object) => fitter.solveAsync(watch)]) {
+    let steps = 0;
+    await work({ onProgress: () => (steps += 1) });
+    assert.ok(steps > 1, "there are several");
+    for (let last = 1; last <= steps; last += 1) {
+      const stop = new AbortController();
+      let step = 0;
+      const onProgress = (): void => {
+        if ((step += 1) === last) stop.abort();
+      };
+      await assert.rejects(work({ signal: stop.signal, onProgress }), { code: "E_CANCELLED" }, `step ${last} of ${steps}`);
+    }
+  }
+  fitter.dispose();
+});
+
 test("FT-023, FT-024: an aborted signal rejects at once, one that is aborted later within a step", async () => {
   await assert.rejects(fitSparseAsync(POINTS, { signal: AbortSignal.abort("enough") }), (error) => {
     assert.ok(error instanceof ExplineError);

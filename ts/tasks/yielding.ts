@@ -66,9 +66,9 @@ export async function inTasks<R>(op: string, signal: Signal | undefined, work: G
     const end = performance.now() + TASK;
     do {
       const { done, value } = work.next();
-      if (done === true) return value;
-      // What watches the progress may have given up.
+      // What watches the progress may have given up, at the last step as well.
       checkSignal(op, signal);
+      if (done === true) return value;
     } while (performance.now() < end);
     await nextTurn();
     checkSignal(op, signal);
