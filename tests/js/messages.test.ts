@@ -85,6 +85,7 @@ test("pairs and triples may be typed arrays, as vectors and matrices of graphics
   assert.deepEqual(circle.nearestAll(pairs), circle.nearestAll(same));
   const triples = [Float32Array.of(0, 0, 1), Float32Array.of(1, 1, 1), Float32Array.of(2, 0, 3)];
   assert.deepEqual(new InterpolatingCurve({ points: triples, dimension: 3 }).points, Float64Array.of(0, 0, 1, 1, 1, 1, 2, 0, 3));
+  assert.equal(new InterpolatingCurve({ points: triples }).dimension, 3, "triples are in space, in whatever arrays");
   const [center, radii] = [Float32Array.of(1, 2), Float32Array.of(3, 2)];
   assert.deepEqual(HermiteCurve.ellipse({ center, radii, count: 4 }).bounds(), { minX: -2, minY: 0, maxX: 4, maxY: 4 });
   assert.deepEqual(circle.transform(Float32Array.of(1, 0, 0, 1, 2, 3)).bounds(), { minX: -3, minY: -2, maxX: 7, maxY: 8 });
@@ -201,6 +202,9 @@ test("too many points are counted as points, however they are given", () => {
   const most = { code: "E_LIMIT", limit: "maxFitSamples", max: 500_000, actual: 600_000 };
   for (const points of [new Float64Array(1_200_000), new Array<number>(1_200_000).fill(0), new Array<number[]>(600_000).fill([0, 0])]) {
     assert.throws(() => fitSparse(points), most);
+  }
+  for (const refined of [() => circle.refine(1e9), () => circle.subdivide(1, { arity: 1e9 })]) {
+    assert.throws(refined, { code: "E_LIMIT", argument: "arity", limit: "maxOutputPoints", actual: 1e9 });
   }
 });
 

@@ -38,6 +38,10 @@ test("the contours of a trace cross whole once their curves are plain data", () 
 test("what toJSON gives tells curves apart, and is the same for the same curve", () => {
   assert.deepStrictEqual(circle(5).toJSON(), circle(5).toJSON());
   assert.notDeepStrictEqual(circle(5).toJSON(), circle(7).toJSON());
+  for (const lengths of [[1, 1, 1], [2, 2, 2], [1, 2, 1.5], 1, 0.5]) {
+    const curve = new HermiteCurve({ points: [0, 0, 9, 0, 9, 9], tangents: [3, 0, 0, 3, 1, 1], lengths });
+    assert.deepStrictEqual(curve.reverse().reverse().toJSON(), curve.toJSON(), `lengths ${String(lengths)}`);
+  }
 });
 
 /** As stores show their state: plain objects and arrays through proxies, or frozen; instances of classes and typed arrays as they are. */

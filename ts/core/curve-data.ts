@@ -48,7 +48,7 @@ export class CurveData extends HeldCurve<Kernel> {
     /** One, or one per segment; empty until the kernel has said what the default is. */
     public omega: Floats,
     /** Empty where all are 1. */
-    readonly lengths: Floats,
+    public lengths: Floats,
     readonly space: Space,
     closed: boolean,
   ) {

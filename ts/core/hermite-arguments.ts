@@ -70,7 +70,14 @@ export function checked(op: string, options: unknown): CurveData {
     closed,
   );
   data.load(op);
+  data.lengths = shortest(data.lengths);
   return data;
+}
+
+/** Equal lengths as the engine gives them: one for all, and none where all are 1. The same curve is then the same data. */
+function shortest(lengths: Floats): Floats {
+  const [first] = lengths;
+  return lengths.every((length) => length === first) ? lengths.slice(0, first === 1 ? 0 : 1) : lengths;
 }
 
 /** The space that is meant; the first one where none is named. @internal */

@@ -196,7 +196,7 @@ export class HermiteCurve extends MeasuredCurve {
   refine(arity = 2): HermiteCurve {
     const op = "refine";
     const data = dataOf(this, op);
-    const m = integer(op, "arity", arity, 1, MAX_OUTPUT);
+    const m = checkCount(op, "arity", arity, 1, "maxOutputPoints", MAX_OUTPUT);
     return derived(data.ask(op, (kernel, slot) => kernel.refine(slot, m)));
   }
 
@@ -251,7 +251,8 @@ export class HermiteCurve extends MeasuredCurve {
    * The part from parameter t0 to t1, open. On a closed curve it runs forward from t0 to the next place where t is t1, across the start if need
    * be: all the way round where both are one place, and never further.
    *
-   * @throws {ExplineError} of an open curve E_RANGE of parameters outside its domain, E_DEGENERATE of a `t1` that is not beyond `t0`.
+   * @throws {ExplineError} E_DEGENERATE of a `t1` that is less than 1e-12 beyond `t0`, on an open curve also before it; E_RANGE of parameters outside the
+   *   domain of an open curve.
    */
   trim(t0: number, t1: number): HermiteCurve {
     const op = "trim";
@@ -297,7 +298,7 @@ export class HermiteCurve extends MeasuredCurve {
     const data = dataOf(this, op);
     const { arity = 2, scheme = "hermite" } = checkOptions(op, options, ["arity", "scheme"]);
     const steps = integer(op, "levels", levels, 0, 24);
-    const m = integer(op, "arity", arity, 1, MAX_OUTPUT);
+    const m = checkCount(op, "arity", arity, 1, "maxOutputPoints", MAX_OUTPUT);
     const scalar = word(op, "scheme", scheme, ["hermite", "scalar"]) === "scalar" ? 1 : 0;
     return copy(data.ask(op, (kernel, slot) => kernel.subdivide(slot, steps, m, scalar)));
   }

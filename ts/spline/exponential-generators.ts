@@ -1,5 +1,5 @@
 /** Exponential B-splines and the interpolators made of them, for any list of roots. */
-import { type Floats, MAX_EVALUATIONS, type Root, flag, integer, oneOr, options as checkOptions, parameters, rootList, rootNumbers, wrong } from "../core.js";
+import { type Floats, type Root, flag, integer, oneOr, options as checkOptions, parameters, rootList, rootNumbers, wrong } from "../core.js";
 import { ellipseRoots } from "./roots.js";
 import { type SplineKernel, call, copy, result, write } from "./spline-engine.js";
 
@@ -23,6 +23,8 @@ interface Source {
   readonly kind: Kind;
 }
 
+/** The most that a grid is refined by at once. */
+const MAX_FACTOR = 1024;
 const B_SPLINE = "ExponentialBSpline";
 const INTERPOLATOR = "Interpolator";
 
@@ -90,7 +92,7 @@ function filter(generator: Exponential, op: string, arg: string, factor: unknown
   const source = own(generator, op);
   const { affine } = checkOptions(op, options, ["affine"]);
   const what = flag(op, "affine", affine, false) ? What.AffineFilter : What.Filter;
-  return ask(source, op, what, integer(op, arg, factor, 0, MAX_EVALUATIONS));
+  return ask(source, op, what, integer(op, arg, factor, 1, MAX_FACTOR));
 }
 
 /** The B-spline β of a list of roots, centred: it vanishes outside [−n₀/2, n₀/2]. A value without state in the engine. */
@@ -115,6 +117,8 @@ export class ExponentialBSpline extends Exponential {
   /**
    * The taps h of β⁺(t/m) = Σ h[k]·β⁺(t − k) with the fine roots α/m on the right, k = 0 … n₀(m − 1). With `affine` those of
    * B-splines that are divided by their integrals: translating control points then translates the finer ones.
+   *
+   * @throws {ExplineError} E_RANGE of an `m` outside 1 to 1024.
    */
   refinementFilter(m: number, options?: { affine?: boolean | undefined }): Float64Array {
     return filter(this, "refinementFilter", "m", m, options);
@@ -170,6 +174,8 @@ export class Interpolator extends Exponential {
   /**
    * The taps g of φ⁺(t/m0) = Σ g[k]·β⁺(t − k) with the fine roots α/m0 on the right, m0 even. With `affine` those for
    * B-splines that are divided by their integrals.
+   *
+   * @throws {ExplineError} E_RANGE of an `m0` outside 2 to 1024, E_DEGENERATE of an odd one.
    */
   preFilter(m0: number, options?: { affine?: boolean | undefined }): Float64Array {
     return filter(this, "preFilter", "m0", m0, options);

@@ -83,7 +83,8 @@ export class LocalCurve extends SplineCurve {
    * The same curve with a patch of all control points of the grid 2^−levels that lie within `reach` of t in the parameter; `levels`, from 1
    * to 12, defaults to 2, `reach` to 1.
    *
-   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve, of `levels`, and of a `reach` outside 0 to 1e6.
+   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve, of `levels`, and of a `reach` outside 0 to 1e6; E_DEGENERATE of a
+   *   `reach` within which there is no control point.
    */
   refineAt(t: number, options?: { levels?: number | undefined; reach?: number | undefined }): LocalCurve {
     return refinedAt(splineOf(this, "refineAt"), t, options);

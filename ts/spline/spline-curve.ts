@@ -45,7 +45,8 @@ export function anyPoints(op: string, value: unknown, dimension: unknown): { poi
 function shownBy(value: unknown): number {
   const first: unknown = Array.isArray(value) ? value[0] : undefined;
   if (typeof first !== "object" || first === null) return 2;
-  return Array.isArray(first) ? first.length : "z" in first ? 3 : 2;
+  const isList = Array.isArray(first) || ArrayBuffer.isView(first);
+  return isList ? (first as ArrayLike<unknown>).length : "z" in first ? 3 : 2;
 }
 
 /** Roots that may be left out: none at all are what the kernel takes for the default, so that an empty list must not get there. @internal */
