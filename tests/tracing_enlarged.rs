@@ -247,7 +247,7 @@ fn speckles_are_counted_in_pixels_of_the_picture() {
     });
     let large = repeated(&bytes, 1, SIDE, 4);
     let count = |speckle: f64| {
-        let options = TraceOptions { speckle, ..TraceOptions::default() };
+        let options = TraceOptions { speckle: Some(speckle), ..TraceOptions::default() };
         let gray = Gray::from_bytes(4 * SIDE, 4 * SIDE, &large).expect("a picture");
         trace(gray, &options).expect("a drawing").contours.len()
     };

@@ -78,7 +78,7 @@ fn what_is_not_a_drawing_is_refused_by_name() {
     let checker: Vec<u8> =
         (0..400 * 400).map(|i| if (i % 400 + i / 400) % 2 == 0 { 0 } else { 255 }).collect();
     let gray = Gray::from_bytes(400, 400, &checker).expect("valid");
-    let options = TraceOptions { speckle: 0.0, ..TraceOptions::default() };
+    let options = TraceOptions { speckle: Some(0.0), ..TraceOptions::default() };
     let refused = error(trace(gray.clone(), &options).map(drop));
     assert!(["maxContours", "maxContourPoints"].contains(&limit(refused)), "a checkerboard");
     let mut noise = Noise(4);
@@ -98,11 +98,11 @@ fn what_is_not_a_drawing_is_refused_by_name() {
         TraceOptions { threshold: Some(256.5), ..TraceOptions::default() },
         TraceOptions { tolerance: -1.0, ..TraceOptions::default() },
         TraceOptions { corner: 0.0, ..TraceOptions::default() },
-        TraceOptions { speckle: f64::INFINITY, ..TraceOptions::default() },
+        TraceOptions { speckle: Some(f64::INFINITY), ..TraceOptions::default() },
     ] {
         assert!(error(trace(gray.clone(), &options).map(drop)).argument().is_some(), "{options:?}");
     }
-    let speckle = TraceOptions { speckle: 1000.0, ..TraceOptions::default() };
+    let speckle = TraceOptions { speckle: Some(1000.0), ..TraceOptions::default() };
     assert!(
         trace(gray.clone(), &speckle).expect("a drawing").contours.is_empty(),
         "smaller than the speckle"
@@ -134,7 +134,8 @@ fn offered(gray: Gray, options: &TraceOptions) -> f64 {
 #[test]
 fn who_sees_too_many_contours_is_told_what_to_leave_out() {
     let gray = disks([2.0, 3.0, 5.0, 7.0]);
-    let options = |speckle| TraceOptions { speckle, most_contours: 2, ..TraceOptions::default() };
+    let options =
+        |speckle| TraceOptions { speckle: Some(speckle), most_contours: 2, ..TraceOptions::default() };
     let speckle = offered(gray.clone(), &options(0.0));
     assert_eq!(trace(gray, &options(speckle)).expect("a drawing").contours.len(), 2);
 }
@@ -160,7 +161,7 @@ fn who_sees_too_many_edges_is_told_what_to_leave_out() {
     let gray = disks([4.0, 6.0, 8.0, 11.0]);
     let options = |speckle| TraceOptions {
         source: Source::Edges,
-        speckle,
+        speckle: Some(speckle),
         most_contours: 2,
         ..TraceOptions::default()
     };

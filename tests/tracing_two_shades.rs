@@ -123,7 +123,7 @@ fn what_is_drawn_along_rows_and_columns_comes_back_as_it_is() {
     for (rows, times) in pictures {
         let (side, bytes) = pixel_art(rows, times);
         for refined in [true, false] {
-            let options = TraceOptions { refined, speckle: 0.0, ..TraceOptions::default() };
+            let options = TraceOptions { refined, speckle: Some(0.0), ..TraceOptions::default() };
             let drawing =
                 trace(Gray::from_bytes(side, side, &bytes).expect("valid"), &options).expect("a drawing");
             for outline in &drawing.contours {

@@ -97,7 +97,7 @@ impl ChainWork {
 
     fn found(&mut self, mut chains: Vec<Chain>) -> Result<()> {
         let edges = self.options.source == Source::Edges;
-        chains.retain(|chain| has_extent(chain) && !(edges && span(chain) < self.options.speckle));
+        chains.retain(|chain| has_extent(chain) && !(edges && span(chain) < self.options.least()));
         let most = self.options.most_contours;
         if chains.len() > most {
             if edges {
@@ -250,7 +250,7 @@ impl Work for ChainWork {
             Phase::Contours(scan) => {
                 for _ in 0..rows {
                     if !scan.step(&self.gray)? {
-                        let mut found = scan.contours(self.options.speckle)?;
+                        let mut found = scan.contours(self.options.least())?;
                         self.contoured(&mut found)?;
                         break;
                     }

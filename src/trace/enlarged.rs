@@ -1,14 +1,11 @@
 //! What is found in a picture of squares, as if they were pixels, is found in the picture.
 
-use super::options::TraceOptions;
+use super::options::{SPECKLE, TraceOptions};
 use super::picture::blocks::Blocks;
 use super::picture::pitch::Pitch;
 use super::work::TracedContour;
 use crate::numerics::Vector;
 use crate::numerics::plane::{enlarge, larger, smaller};
-
-/// Contours of less area, in squares, are left out unless smaller ones are asked for, as in any picture.
-const SPECKLE: f64 = 2.0;
 
 impl Pitch {
     /// How far before the picture the squares begin. Those of two sizes begin up to a pixel later than even ones would, half of that on the average;
@@ -33,12 +30,14 @@ impl Blocks {
         self.sides().product()
     }
 
-    /// Makes what a tracer is told of pixels what it is told of squares. How near the first curves are counts in squares.
+    /// Makes what a tracer is told of pixels what it is told of squares: no fewer than two unless fewer are asked for, as in any picture. How near the first curves are counts in squares.
     pub(super) fn adapt(&self, options: &mut TraceOptions) {
         if let Some(blur) = &mut options.blur {
             *blur /= self.sides().x;
         }
-        options.speckle = larger(options.speckle / self.area(), smaller(options.speckle, SPECKLE));
+        if let Some(speckle) = &mut options.speckle {
+            *speckle = larger(*speckle / self.area(), smaller(*speckle, SPECKLE));
+        }
     }
 
     /// Makes contours of the squares those of the picture. Where the border cuts squares off, outlines end where these would.

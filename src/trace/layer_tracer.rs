@@ -49,7 +49,9 @@ impl LayerTracer {
     pub fn new(layers: Layers, options: &TraceOptions) -> Self {
         let (order, visible) = drawn(&layers);
         let source = Source::Brightness;
-        let options = TraceOptions { source, threshold: None, inverted: false, ..*options };
+        // Crumbs of mixtures are as small as dots.
+        let speckle = Some(options.least());
+        let options = TraceOptions { source, threshold: None, inverted: false, speckle, ..*options };
         Self {
             layers,
             options,

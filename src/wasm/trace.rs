@@ -54,7 +54,7 @@ pub fn trace_open(count: u32) -> i32 {
             inverted: head.flag(),
             ..TraceOptions::default()
         };
-        options.speckle = head.optional().unwrap_or(options.speckle);
+        options.speckle = head.optional();
         options.corner = head.optional().unwrap_or(options.corner);
         options.tolerance = head.optional().unwrap_or(options.tolerance);
         options.refined = head.flag();

@@ -42,7 +42,10 @@ export interface TraceOptions {
   blur?: number | undefined;
   /** Light ink on dark paper. Default false; a light drawing on a transparent ground is ink without being asked for. */
   invert?: boolean | undefined;
-  /** Contours that enclose fewer square pixels are left out, and edges shorter than the outline of a square of so many: 0 to 1e9. Default 2. */
+  /**
+   * Contours that enclose fewer square pixels are left out, and edges shorter than the outline of a square of so many: 0 to 1e9. Default 2; of
+   * ink in thin strokes without noise, as small letters have, smaller dots are kept as well, down to what is hardly above the threshold.
+   */
   speckle?: number | undefined;
   /** The least turning of a corner, in radians, 0.05 … π: π knows no corners. Default 0.49, 28°. */
   corner?: number | undefined;

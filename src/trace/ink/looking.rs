@@ -1,10 +1,13 @@
 //! What is done with a picture until the contours of its ink are known.
 
-use super::specks::{ENCLOSED, size};
+use core::f64::consts::FRAC_PI_8;
+
+use super::specks::{ENCLOSED, is_shaded, size};
 use super::strokes::Strokes;
 use super::{InkWork, Phase};
 use crate::error::{Error, Result};
 use crate::trace::chain_work::speckle_for;
+use crate::trace::options::TraceOptions;
 use crate::trace::picture::blur::Blurring;
 use crate::trace::picture::contour::{Contour, ContourScan};
 use crate::trace::picture::lifting::Lifting;
@@ -24,6 +27,12 @@ const NOISY_SPECKLE: f64 = 6.0;
 const THIN: usize = 12;
 /// In pictures of more pixels nobody sees a stroke of less than one, and outlines all over take all the memory that there is.
 const MOST_LIFTED: usize = 1 << 22;
+/// Contours of this area, in pixels, are those of dots, or of holes, in drawings of thin strokes. They are smaller than what they are contours of: of
+/// what pixels share little is above half.
+const FINE: f64 = 0.25;
+/// Beside thicker strokes, in pixels, small things are dust, or crumbs. A stroke has π/8 of the area of one that is a pixel thick
+/// for each place of its contour, which are where it crosses rows and columns of centres.
+const THICK: f64 = 4.0;
 /// Pixels of one bit of work.
 const BIT: usize = 131_072;
 
@@ -61,7 +70,12 @@ impl InkWork {
     fn scanned(&mut self, mut found: Vec<Contour>, level: f64, speckle: f64) -> Result<()> {
         let (gray, tones, shade) = (&self.gray, &self.tones, (level, self.options.inverted));
         let extent = |contour: &Contour| size(contour, gray, tones, shade);
-        found.retain(|contour| contour.area.abs() >= speckle || extent(contour) >= speckle);
+        let fine = self.is_fine(&found);
+        found.retain(|contour| {
+            contour.area.abs() >= speckle
+                || extent(contour) >= speckle
+                || fine && is_shaded(contour, gray, tones, shade)
+        });
         if found.len() > self.options.most_contours {
             let most = self.options.most_contours;
             self.offer = speckle_for(most, found.iter().map(extent).collect());
@@ -73,6 +87,20 @@ impl InkWork {
         self.found = found;
         self.enter(Phase::Corners, Stage::Corners, self.found.len());
         Ok(())
+    }
+
+    /// Whether dots of less than a speckle may count: none was asked for, and pixels say what they are covered by.
+    fn may_be_fine(&self) -> bool {
+        let TraceOptions { speckle, blur, refined, .. } = self.options;
+        self.quality == Quality::Clean && refined && speckle.is_none() && blur.is_none()
+    }
+
+    /// Whether they do: strokes are hardly thicker, and all together are no more than a drawing has.
+    fn is_fine(&self, found: &[Contour]) -> bool {
+        let area: f64 = found.iter().map(|contour| contour.area).sum();
+        let places: usize = found.iter().map(|contour| contour.points.len()).sum();
+        let is_thin = area < THICK * FRAC_PI_8 * places as f64;
+        self.may_be_fine() && is_thin && found.len() <= self.options.most_contours
     }
 
     /// Whether the picture is blurred; then its contours are looked for once more, where they do not wind as scaling up makes them.
@@ -102,6 +130,9 @@ impl InkWork {
         let (width, height) = (self.gray.width(), self.gray.height());
         let rows = (BIT / width).max(1);
         let row = 0.2 * (width as f64);
+        let may_be_fine = self.may_be_fine();
+        // Where strokes are lifted contours have about twice the area.
+        let fine = if self.lifted { 2.0 * FINE } else { FINE };
         match &mut self.phase {
             Phase::Light(evening) => {
                 if evening.step(&mut self.gray) {
@@ -129,11 +160,11 @@ impl InkWork {
                     };
                     if !more {
                         (self.blurring, self.lifting) = (None, None);
-                        let asked = self.options.speckle;
-                        let (least, speckle) = if self.quality == Quality::Noisy {
-                            (asked.max(NOISY_SPECKLE), 0.0)
-                        } else {
-                            (ENCLOSED * asked, asked)
+                        let asked = self.options.least();
+                        let (least, speckle) = match self.quality {
+                            Quality::Noisy => (asked.max(NOISY_SPECKLE), 0.0),
+                            _ if may_be_fine => (fine, asked),
+                            _ => (ENCLOSED * asked, asked),
                         };
                         let (found, level) = (scan.contours(least)?, scan.level());
                         self.scanned(found, level, speckle)?;

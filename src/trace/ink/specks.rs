@@ -21,6 +21,11 @@ pub(super) fn size(contour: &Contour, gray: &Gray, tones: &Tones, shade: (f64, b
     larger(area, smaller(all, area / ENCLOSED))
 }
 
+/// Whether there are shades between the tones in it, as in what was drawn. What is lost on a scan has none.
+pub(super) fn is_shaded(contour: &Contour, gray: &Gray, tones: &Tones, shade: (f64, bool)) -> bool {
+    contour.points.len() <= SMALL && amount(contour, gray, tones, shade) > 0.0
+}
+
 /// The ink inside and beside a contour, or the paper of a hole; none where all pixels are of two tones, as what is lost on a scan is.
 fn amount(contour: &Contour, gray: &Gray, tones: &Tones, (level, inverted): (f64, bool)) -> f64 {
     let light = inverted == (contour.area > 0.0);
