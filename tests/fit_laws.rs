@@ -7,7 +7,8 @@ mod support;
 use expline::fit::admm::Admm;
 use expline::fit::certificate::verify;
 use expline::fit::{
-    Norm, Problem, Settings, Solution, Solver, Status, lambda_max, lambda_of_detail, uniform_grid,
+    Ask, Norm, Options, Problem, Settings, Solution, Solver, Status, fit, lambda_max, lambda_of_detail,
+    uniform_grid,
 };
 use expline::numerics::Vector;
 use support::contours::contour;
@@ -22,6 +23,11 @@ fn solve(problem: &Problem, gap: f64) -> (Solver, Solution) {
 fn uniform(seed: &mut u64) -> f64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (*seed >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+fn turned(points: &[Vector], degrees: f64) -> Vec<Vector> {
+    let (s, c) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
+    points.iter().map(|p| Vector::new(c * p.x - s * p.y, s * p.x + c * p.y)).collect()
 }
 
 #[test]
@@ -64,18 +70,15 @@ fn a_circle_has_the_lambda_max_that_the_scale_of_smoothing_is_made_of() {
 #[test]
 fn a_rotation_of_the_points_rotates_the_curve_and_keeps_every_knot() {
     let points = contour("polygon488_snr47");
-    let turned = |degrees: f64| -> Vec<Vector> {
-        let (s, c) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
-        points.iter().map(|p| Vector::new(c * p.x - s * p.y, s * p.x + c * p.y)).collect()
-    };
-    let fit = |degrees: f64, norm: Norm| {
-        let mut problem = Problem::of_points(&turned(degrees), true, &[(1, 700.0, 256)]).expect("good");
+    let optimum = |degrees: f64, norm: Norm| {
+        let mut problem =
+            Problem::of_points(&turned(&points, degrees), true, &[(1, 700.0, 256)]).expect("good");
         problem.norm = norm;
         solve(&problem, 1e-9).1
     };
-    let straight = fit(0.0, Norm::L2);
+    let straight = optimum(0.0, Norm::L2);
     for degrees in [40.0, 77.7, 180.0] {
-        let other = fit(degrees, Norm::L2);
+        let other = optimum(degrees, Norm::L2);
         assert_eq!(other.components[0].knots, straight.components[0].knots, "the same knots at {degrees}°");
         assert!(
             (other.objective / straight.objective - 1.0).abs() < 1e-11,
@@ -83,8 +86,39 @@ fn a_rotation_of_the_points_rotates_the_curve_and_keeps_every_knot() {
         );
     }
     // The paper's comparison: with |x| + |y| the knots depend on the frame.
-    let (straight, other) = (fit(0.0, Norm::L1), fit(40.0, Norm::L1));
+    let (straight, other) = (optimum(0.0, Norm::L1), optimum(40.0, Norm::L1));
     assert_ne!(other.components[0].knots, straight.components[0].knots, "other knots in another frame");
+}
+
+#[test]
+fn a_smoothing_means_the_same_however_the_drawing_is_turned() {
+    // Round a square, a box grows most when it is turned: by 1.41.
+    let side = |k: usize| {
+        let x = (k % 20) as f64 - 10.0;
+        [Vector::new(x, -10.0), Vector::new(10.0, x), Vector::new(-x, 10.0), Vector::new(-10.0, -x)][k / 20]
+    };
+    let square: Vec<Vector> = (0..80).map(side).collect();
+    let options = Options { degrees: vec![3], ..Options::default() };
+    for points in [square.clone(), contour("polygon488_snr47")] {
+        let asked = |degrees: f64| {
+            fit(&turned(&points, degrees), Ask::Smoothing(0.4), &options).expect("it can be fitted")
+        };
+        let scale = |degrees: f64| {
+            let problem = Problem::of_points(&turned(&points, degrees), true, &[(3, 1.0, 80)]).expect("good");
+            lambda_of_detail(&problem, 3, 10.0)
+        };
+        let straight = asked(0.0);
+        for degrees in [18.0, 45.0, 77.7] {
+            let other = asked(degrees);
+            // Coordinates are rounded as they are turned, to 2e-16 of where they are.
+            assert!((other.lambda[0] / straight.lambda[0] - 1.0).abs() < 1e-13, "λ at {degrees}°");
+            assert!((scale(degrees) / scale(0.0) - 1.0).abs() < 1e-13, "the scale of λ at {degrees}°");
+            // Of a square without noise several sets of knots are as good.
+            if points.len() > square.len() {
+                assert_eq!(other.knots.len(), straight.knots.len(), "knots at {degrees}°");
+            }
+        }
+    }
 }
 
 #[test]

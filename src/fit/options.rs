@@ -16,8 +16,7 @@ pub enum Ask {
     /// The minimiser of the sum of squares and λ times the jumps, one λ per degree, in the unit of the points.
     Lambda(Vec<f64>),
     /// The same with λ = size·(ℓ/2π)^(degree + 1), ℓ = 2·(M/2)^s points, for s in [0, 1]: the same drawing at another
-    /// size, or with more points, is smoothed alike. The size is the longer side of the points' box: turned by 45°, a square
-    /// has 1.41 times the λ. At one λ nothing depends on how the drawing is turned.
+    /// size, turned, or with more points, is smoothed alike. The size is the diameter of the smallest circle around the points.
     Smoothing(f64),
     /// The fewest knots with which no point is farther from the curve. The curve keeps to the way of the points, too: as a rule it is
     /// no farther from it than this and half of their distance from one another. Below the noise that is a polyline with the

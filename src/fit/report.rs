@@ -9,6 +9,7 @@ use super::samples::Samples;
 use crate::error::Result;
 use crate::limits::{self, LARGEST_COORDINATE};
 use crate::numerics::Vector;
+use crate::numerics::enclosing_circle::enclosing_circle;
 
 /// Most cubics that a piece of degree 4 or 5 becomes.
 const MOST_CUTS: usize = 64;
@@ -34,9 +35,9 @@ pub(super) struct Frame<'a> {
     pub(super) hurried: bool,
 }
 
-/// The longer side of the points' box, in the caller's unit.
-pub(super) fn size(samples: &Samples) -> f64 {
-    samples.scale * size_of(&samples.points)
+/// The diameter of the smallest circle around the points, in the caller's unit: the same however they are turned.
+pub(super) fn diameter(samples: &Samples) -> f64 {
+    samples.scale * 2.0 * enclosing_circle(&samples.points).radius
 }
 
 /// The longer side of a box around some points.

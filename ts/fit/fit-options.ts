@@ -28,7 +28,7 @@ export interface FitProgress {
 export interface SparseFitStrength {
   /** The λ of the papers, in the unit of the data, 0 to 1e12: one for each degree, so that a pair of them, as is the default, takes a pair. */
   lambda?: number | readonly [number, number] | undefined;
-  /** Instead of lambda: 0 … 1, the same meaning for any size of picture and any number of points. */
+  /** Instead of lambda: 0 … 1, the same meaning for any size of picture, however it is turned, and for any number of points. */
   smoothing?: number | undefined;
   /**
    * Instead of lambda, 0 to 1e9: the fewest knots whose curve is nowhere farther than this from a point, in their unit. The curve keeps to the way of the points, too: as a rule

@@ -5,6 +5,7 @@ use super::problem::Problem;
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::Vector;
+use crate::numerics::enclosing_circle::enclosing_circle;
 
 /// The least λ of each component from which on it has no knot, when the others have none either.
 ///
@@ -29,8 +30,8 @@ pub fn lambda_max(problem: &Problem) -> Result<Vec<f64>> {
 }
 
 /// λ for a length of detail ℓ, counted in points: what is shorter than about ℓ points is smoothed away. It means the
-/// same for every degree, size and density of points: λ = D w̄ δᵃ (ℓ/2π)^{a+1} with the larger side D of the points'
-/// box, their mean weight w̄ and distance δ in the parameter. (D 12.2)
+/// same for every degree, size and density of points: λ = D w̄ δᵃ (ℓ/2π)^{a+1} with the diameter D of the smallest circle
+/// around the points, their mean weight w̄ and distance δ in the parameter. (D 12.2)
 pub fn lambda_of_detail(problem: &Problem, degree: usize, detail: f64) -> f64 {
     let mut lambda = unit_lambda(problem, degree);
     for _ in 0..=degree {
@@ -62,17 +63,14 @@ pub fn smoothing_of_detail(problem: &Problem, detail: f64) -> f64 {
 /// λ for a length of detail of 2π points.
 fn unit_lambda(problem: &Problem, degree: usize) -> f64 {
     let count = problem.points.len();
-    let Some(&first) = problem.points.first() else { return 0.0 };
-    let (mut least, mut most) = (first, first);
-    for point in &problem.points {
-        least = Vector::new(least.x.min(point.x), least.y.min(point.y));
-        most = Vector::new(most.x.max(point.x), most.y.max(point.y));
+    if count == 0 {
+        return 0.0;
     }
     let steps = if problem.closed { count } else { count.max(2) - 1 };
     let distance = (problem.end - problem.start) / steps as f64;
     let weight =
         if problem.weights.is_empty() { 1.0 } else { problem.weights.iter().sum::<f64>() / count as f64 };
-    let mut lambda = weight * (most.x - least.x).max(most.y - least.y);
+    let mut lambda = weight * 2.0 * enclosing_circle(&problem.points).radius;
     for _ in 0..degree {
         lambda *= distance;
     }

@@ -249,13 +249,17 @@ impl Fitter {
 
     /// λ for each degree from the slider: ℓ from 2 points to all of them, the first of two degrees a part of it.
     fn lambdas_of(&self, smoothing: f64) -> Vec<f64> {
+        self.lambdas_for(smoothing, report::diameter(&self.samples))
+    }
+
+    /// The same for a drawing of that diameter.
+    fn lambdas_for(&self, smoothing: f64, diameter: f64) -> Vec<f64> {
         let count = self.samples.points.len() as f64;
         let detail = 2.0 * libm::pow((0.5 * count).max(1.0), smoothing);
-        let size = report::size(&self.samples);
         let ratio = 6.0 - 3.5 * self.options.mix;
         let degrees = &self.options.degrees;
         let part = |i: usize| if degrees.len() == 2 && i == 0 { detail / ratio } else { detail };
-        degrees.iter().enumerate().map(|(i, &degree)| size * report::power(part(i), degree)).collect()
+        degrees.iter().enumerate().map(|(i, &degree)| diameter * report::power(part(i), degree)).collect()
     }
 
     /// The slider's place of all λ, where there is one.
@@ -265,12 +269,13 @@ impl Fitter {
         if lambda <= 0.0 || count <= 2.0 {
             return None;
         }
-        let root = libm::log(lambda / report::size(&self.samples)) / (degree + 1) as f64;
+        let diameter = report::diameter(&self.samples);
+        let root = libm::log(lambda / diameter) / (degree + 1) as f64;
         let detail = libm::exp(root) * core::f64::consts::TAU;
         let place = (libm::log(0.5 * detail) / libm::log(0.5 * count)).clamp(0.0, 1.0);
         // What lies beyond an end of the slider, and pairs in another ratio, are at no place: going back tells, but for the
         // rounding of logarithms and powers.
-        let back = self.lambdas_of(place);
+        let back = self.lambdas_for(place, diameter);
         let same = |(own, back): (&f64, &f64)| (own - back).abs() <= 1e-9 * own;
         self.lambdas.iter().zip(&back).all(same).then_some(place)
     }
