@@ -90,11 +90,14 @@ fn what_a_fit_by_coordinates_says_of_its_curve_is_true_of_it() {
                 );
                 let off = (cost(&own) / own.objective - 1.0).abs();
                 assert!(off < 1e-12, "{what}: so it says itself, but for {off:e}");
-                // What a curve with more knots than true ones proves of itself may be little: the rounding of its residuals is
-                // integrated up to six times. On true knots it proves 7e-9 at least (24,000 problems of one degree).
+                // The residuals' rounding, integrated up to six times, loosens the bound: on true knots 1e-5 is the most seen. A
+                // curve of degree 4 or 5, or of two, with other knots than these may prove little of itself: the optimum is proved.
                 let finer = solved(&problem, Norm::L1, 1e-10);
+                if matches!(degrees, [1..=3]) || own.knot_count() == finer.knot_count() {
+                    assert!(proof.gap < 2.0 * asked + 1e-4, "{what}: proved {:e}", proof.gap);
+                }
                 let proof = verify(&problem, &finer).expect("a solution of this problem");
-                assert!(proof.gap < 1e-7, "{what}: proved {:e}", proof.gap);
+                assert!(proof.gap < 1e-7, "{what}: the optimum is proved {:e}", proof.gap);
                 let above = own.objective / finer.objective - 1.0;
                 assert!(above < asked, "{what}: {above:e} above what is proved to be the optimum");
                 // |x| + |y| is at least the length, so no optimum by it is below that by length, nor above what the
