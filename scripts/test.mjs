@@ -65,6 +65,8 @@ async function suite(name, action) {
 }
 
 const cargo = (...parameters) => () => run("cargo", parameters).then(() => undefined);
+const rustdoc = (...more) => () =>
+  run("cargo", ["doc", "--locked", "-p", "expline", "--no-deps", ...more], { env: { RUSTDOCFLAGS: "-D warnings" } }).then(() => undefined);
 const tsc = (project) => () => run("node", [at("node_modules/typescript/bin/tsc"), "--noEmit", "-p", at(project)]).then(() => undefined);
 
 async function rust() {
@@ -73,9 +75,9 @@ async function rust() {
   // clippy knows #[test] and asks it for no messages, but does not know wasm_bindgen_test.
   const lenient = ["-D", "warnings", "-A", "clippy::missing_assert_message"];
   await check("clippy, wasm", cargo("clippy", "--locked", "-p", "expline", "--features", "wasm,wasm-fit,wasm-spline,wasm-surface,wasm-trace", ...TARGET, "--lib", "--tests", "--", ...lenient));
-  await check("rustdoc", () =>
-    run("cargo", ["doc", "--locked", "-p", "expline", "--no-deps"], { env: { RUSTDOCFLAGS: "-D warnings" } }).then(() => undefined),
-  );
+  await check("rustdoc", rustdoc());
+  // A link from the interface to what is private is a fault only where what is private is left out: both are looked at.
+  await check("rustdoc, private items", rustdoc("--document-private-items"));
   await suite("Rust tests, native", testNative);
 }
 

@@ -93,7 +93,7 @@ pub trait Curve: Pieces {
     }
 
     /// The points at those parameters, all coordinates in turn: quicker than looking for the parameters again. For many
-    /// samplings of one curve prepare a [`LengthTable`](super::LengthTable).
+    /// samplings of one curve prepare a [`LengthTable`].
     ///
     /// # Errors
     ///

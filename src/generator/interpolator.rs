@@ -277,7 +277,7 @@ fn nonexistent() -> Box<Error> {
 
 /// λ and the condition of its system.
 ///
-/// Row k says φ(k) = δₖ: A[k][l] = β(k − l/2) + β(k + l/2), without the second term for l = 0 [SFBGU17, eq. 26, 27]. What is
+/// Row k says φ(k) = δₖ: `A[k][l]` = β(k − l/2) + β(k + l/2), without the second term for l = 0 [SFBGU17, eq. 26, 27]. What is
 /// left over in twofold numbers goes through the same elimination until nothing is (D 9.4), in which there are closed forms for three
 /// roots, too, that are less exact near π.
 #[inline(never)]

@@ -82,7 +82,7 @@ impl PolynomialPieces {
         products
     }
 
-    /// The exact Riesz bounds of the integer shifts: the extremes of Σₖ|f̂(ω − 2πk)|² = a[0] + 2Σa[n] cos nω.
+    /// The exact Riesz bounds of the integer shifts: the extremes of Σₖ|f̂(ω − 2πk)|² = `a[0]` + 2Σ`a[n]` cos nω.
     #[inline(never)]
     pub(crate) fn riesz_bounds(&self) -> RieszBounds {
         let products = self.autocorrelation();
@@ -108,7 +108,7 @@ impl PolynomialPieces {
     }
 }
 
-/// a[0] + 2Σa[n] cos nω with two derivatives.
+/// `a[0]` + 2Σ`a[n]` cos nω with two derivatives.
 #[inline(never)]
 fn spectrum(products: &[f64], omega: f64) -> (f64, f64, f64) {
     let mut sums = (products.first().copied().unwrap_or(0.0), 0.0, 0.0);

@@ -94,7 +94,7 @@ pub fn extended(points: &[f64], dimension: usize, roots: &Roots) -> Result<Vec<f
     Ok(all)
 }
 
-/// cⱼ with x[k] = Σ cⱼ x[k − 1 − j], for at most `count` terms.
+/// cⱼ with `x[k]` = Σ cⱼ `x[k − 1 − j]`, for at most `count` terms.
 fn recurrence(roots: &Roots, count: usize) -> Result<Vec<f64>> {
     let roots = if count < roots.order() { Roots::polynomials(count - 1)? } else { roots.clone() };
     Ok(roots.recurrence().iter().skip(1).map(|p| -p.high).collect())
@@ -153,7 +153,7 @@ impl Target {
         Ok(self)
     }
 
-    /// Σ filter[i]·point k at place mk + i − lead.
+    /// Σ `filter[i]`·point k at place mk + i − lead.
     pub(crate) fn fill(
         &self,
         points: &[f64],

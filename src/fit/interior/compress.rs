@@ -17,7 +17,7 @@ use crate::numerics::roots::bracketed_root;
 #[derive(Clone, Copy, Debug)]
 struct Recurrence {
     centre: [f64; TERMS],
-    /// norm[k]² is the square of the monic polynomial of degree k over that of degree k − 1; norm[0]² the weight.
+    /// `norm[k]`² is the square of the monic polynomial of degree k over that of degree k − 1; `norm[0]`² the weight.
     norm: [f64; TERMS],
     degree: usize,
 }

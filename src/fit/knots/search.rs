@@ -67,7 +67,7 @@ pub(super) fn least(breaks: &Breaks) -> usize {
     if breaks.closed { 2 } else { 0 }
 }
 
-/// Takes away, many at a time, knots that are not worth their price (D 13.1), [LM88]; `None` when there is none.
+/// Takes away, many at a time, knots that are not worth their price (D 13.1), \[LM88\]; `None` when there is none.
 pub(super) fn thinner(fitted: &FreeKnots, data: &Located, price: Price) -> Option<FreeKnots> {
     let breaks = fitted.breaks();
     let removals = fitted.removals();

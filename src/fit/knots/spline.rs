@@ -100,7 +100,7 @@ impl Spline {
     }
 
     /// One Gauss–Newton step of the distances across the curve; those along it count little, for points may slide
-    /// (D 13.4), [WPL06]. O(M·degree + K·degree²).
+    /// (D 13.4), \[WPL06\]. O(M·degree + K·degree²).
     pub(super) fn tighten(&mut self, data: &Located) {
         self.tighten_held(data, &[]);
     }
