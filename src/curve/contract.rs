@@ -40,8 +40,8 @@ pub trait Curve: Pieces {
 
     /// The length of the curve.
     ///
-    /// Gauss–Legendre sums of the speed, with as many nodes as a proved bound of their error asks for. Where a cusp or a
-    /// near-cusp leaves no room the interval is halved.
+    /// Gauss–Legendre sums of the speed, with as many nodes as a proved bound of their error asks for. Where a cusp or
+    /// a near-cusp leaves no room the interval is halved.
     ///
     /// # Accuracy
     ///
@@ -167,8 +167,9 @@ pub trait Curve: Pieces {
     /// # Accuracy
     ///
     /// The distance is at most 2e-13 of the curve's size larger than the least one, and never a local minimum only
-    /// (`tests/nearest.rs`, against dense sampling). From a `place` that is not finite, or beyond 1e154, nothing is at a finite
-    /// distance: the answer is t = 0 with the place itself and the distance ∞. A curve in space counts as its projection.
+    /// (`tests/nearest.rs`, against dense sampling). From a `place` that is not finite, or beyond 1e154, nothing is at
+    /// a finite distance: the answer is t = 0 with the place itself and the distance ∞. A curve in space counts as its
+    /// projection.
     fn nearest(&self, place: Point) -> Nearest {
         NearestFinder::new(self.as_pieces()).nearest(place)
     }
@@ -207,15 +208,15 @@ pub trait Curve: Pieces {
     /// Cubic Bézier curves within `tolerance` of the curve, as few as can be; ends of segments stay ends.
     ///
     /// Cubic segments and straight lines are converted exactly. An arc gets the cubics that share the ends and tangents
-    /// and cross it twice each, error of the sixth order, or around inflections come as near as they can; the ends between
-    /// them are moved until their errors are even.
+    /// and cross it twice each, error of the sixth order, or around inflections come as near as they can; the ends
+    /// between them are moved until their errors are even.
     /// In space the cubics share ends and derivatives, error of the fourth order.
     ///
     /// # Accuracy
     ///
-    /// `deviation` is a proved bound of the distance both ways, everywhere: see the module `cubic_proof`. A quarter of a
-    /// circle is off by 1.96e-4 of the radius and proved to be within 2.0e-4. A tolerance below 1e-9 of the extent
-    /// or 1e-15 of the largest coordinate is raised to that; the deviation says so.
+    /// `deviation` is a proved bound of the distance both ways, everywhere: see the module `cubic_proof`. A quarter of
+    /// a circle is off by 1.96e-4 of the radius and proved to be within 2.0e-4. A tolerance below 1e-9 of the extent or
+    /// 1e-15 of the largest coordinate is raised to that; the deviation says so.
     ///
     /// # Errors
     ///
@@ -228,12 +229,12 @@ pub trait Curve: Pieces {
         cubics::to_cubics(self.as_pieces(), tolerance)
     }
 
-    /// The same plane curve with points and tangents, and the deviation: 0 where its functions are those of a Hermite curve
-    /// (roots 0 up to twice and one pair ±iω or ±k, or 0 up to four times), else that of cubics, which is proved.
+    /// The same plane curve with points and tangents, and the deviation: 0 where its functions are those of a Hermite
+    /// curve (roots 0 up to twice and one pair ±iω or ±k, or 0 up to four times), else that of cubics, which is proved.
     ///
-    /// The parameter starts at 0 and stays: everywhere where the deviation is 0; of cubics at the ends of the curve's own
-    /// segments, between which places lie at other parameters than before. Where a tangent would be beyond ±1e9 or a segment
-    /// shorter than 1e-12 it runs slower, by a power of 2.
+    /// The parameter starts at 0 and stays: everywhere where the deviation is 0; of cubics at the ends of the curve's
+    /// own segments, between which places lie at other parameters than before. Where a tangent would be beyond ±1e9 or
+    /// a segment shorter than 1e-12 it runs slower, by a power of 2.
     ///
     /// # Errors
     ///

@@ -122,8 +122,8 @@ impl Parts {
         HermiteCurve::new(self.data)
     }
 
-    /// Makes the parameter run slower by a power of 2, which changes no bit of the shape, where Hermite curves cannot have so
-    /// large tangents or so short segments.
+    /// Makes the parameter run slower by a power of 2, which changes no bit of the shape, where Hermite curves cannot
+    /// have so large tangents or so short segments.
     fn slow_down(&mut self) {
         let data = &mut self.data;
         let sides = data.tangents.iter().chain(&data.tangents_in);

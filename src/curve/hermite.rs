@@ -98,7 +98,8 @@ impl HermiteCurve {
     /// # Errors
     ///
     /// The first thing that is wrong: too few points (2 are needed), lengths that do not match, a number that is
-    /// not finite or not within ±1e9 (tangents ±8e9), a segment length that is not positive, ω·length outside its range.
+    /// not finite or not within ±1e9 (tangents ±8e9), a segment length that is not positive, ω·length outside its
+    /// range.
     pub fn new(options: HermiteOptions) -> Result<Self> {
         let (knots, bases, basis_of) = (Vec::new(), Vec::new(), Vec::new());
         let space = options.space.unwrap_or(Space::Trigonometric);

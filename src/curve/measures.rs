@@ -1,5 +1,5 @@
-//! What is asked of curves, written once, against their [`Pieces`](super::pieces::Pieces): lengths, areas, bounds, curvature, nearest points,
-//! polylines and cubic Béziers.
+//! What is asked of curves, written once, against their [`Pieces`](super::pieces::Pieces): lengths, areas, bounds,
+//! curvature, nearest points, polylines and cubic Béziers.
 
 pub(super) mod area;
 pub(super) mod bounds;

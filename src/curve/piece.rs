@@ -10,8 +10,8 @@
 //! for every w. In the hyperbolic space w² is negative; beyond w = 4 segments there are written with decaying
 //! exponentials, which cannot overflow: r(y) = a + b·y + p·exp(w(y − 1/2)) + q·exp(−w(y + 1/2)).
 //!
-//! Pieces of spline curves for other roots are polynomials of any degree, Taylor sums of entire functions; a, b, p, q are
-//! the same there, and what bounds the rest is the fourth derivative.
+//! Pieces of spline curves for other roots are polynomials of any degree, Taylor sums of entire functions; a, b, p, q
+//! are the same there, and what bounds the rest is the fourth derivative.
 
 use super::Segment;
 use super::any_roots::{ANY_ROOTS, ListOfAnyRoots, list_of_any_roots};
@@ -28,8 +28,8 @@ const DECAY_ABOVE: f64 = 4.0;
 /// Decaying exponentials are nothing after this many of their widths: exp(−40) = 4e-18.
 const LAYER: f64 = 40.0;
 
-/// Whether there are curves whose pieces are Hermite segments. A wasm module that has none leaves out what measures it: a branch on this
-/// costs nothing and saves what is behind it.
+/// Whether there are curves whose pieces are Hermite segments. A wasm module that has none leaves out what measures it:
+/// a branch on this costs nothing and saves what is behind it.
 pub(super) const HERMITE: bool =
     cfg!(not(all(target_arch = "wasm32", feature = "wasm-spline", not(feature = "wasm"))));
 
@@ -288,7 +288,8 @@ impl Piece {
         [reach * way, speed]
     }
 
-    /// A bound of the distance, at equal parameters, from the cubic with the same ends and end derivatives: h⁴/384·max|r⁗|.
+    /// A bound of the distance, at equal parameters, from the cubic with the same ends and end derivatives:
+    /// h⁴/384·max|r⁗|.
     pub(crate) fn cubic_gap(&self, lo: f64, hi: f64) -> f64 {
         if self.is_cubic() {
             return 0.0;

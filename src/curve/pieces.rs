@@ -206,8 +206,8 @@ impl<G: Generator> Pieces for SplineCurve<G> {
     }
 }
 
-/// A piece of a curve of either dimension, for measures that look at speeds only. Where no curve is in space, no piece is,
-/// and what measures them is left out.
+/// A piece of a curve of either dimension, for measures that look at speeds only. Where no curve is in space, no piece
+/// is, and what measures them is left out.
 pub(super) enum AnyPiece {
     Plane(Piece),
     Space(OfAnyRoots<SpacePiece>),

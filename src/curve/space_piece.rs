@@ -1,7 +1,7 @@
 //! One piece of a curve in space, a polynomial.
 //!
-//! Everything rests on Taylor's formula about the middle of an interval: the first three derivatives there and a bound of
-//! the fourth bound what the curve can do around it, for complex parameters as well.
+//! Everything rests on Taylor's formula about the middle of an interval: the first three derivatives there and a bound
+//! of the fourth bound what the curve can do around it, for complex parameters as well.
 
 use super::speed::{MOST_INTERVALS, ROUNDING, RULES, rule_index};
 
@@ -117,7 +117,8 @@ impl SpacePiece {
 
     /// The length from lo to hi.
     ///
-    /// Where |r′(u) − r′(m)| stays below (√2 − 1)·|r′(m)| on a disc, r′·r′ has no zero there and the speed is analytic (D 10.2).
+    /// Where |r′(u) − r′(m)| stays below (√2 − 1)·|r′(m)| on a disc, r′·r′ has no zero there and the speed is analytic
+    /// (D 10.2).
     pub(super) fn length(&self, lo: f64, hi: f64, tolerance: f64) -> f64 {
         let mut stack = [(0.0, 0.0); STACK];
         stack[0] = (lo, hi);

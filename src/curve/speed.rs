@@ -250,8 +250,8 @@ fn cubic_speeds(b: Vector, p: Vector, q: Vector, half: f64, rule: &Rule) -> f64 
     sum[0] + sum[1]
 }
 
-/// The index of the smallest rule whose error on [lo, hi], with the jet in the middle, is at most `tolerance`; beyond the last
-/// where the interval must be halved.
+/// The index of the smallest rule whose error on [lo, hi], with the jet in the middle, is at most `tolerance`; beyond
+/// the last where the interval must be halved.
 fn rule_for(piece: &Piece, jet: &Jet, lo: f64, hi: f64, tolerance: f64, speck: f64) -> f64 {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let axis = half_axis(piece, jet, middle, half);
@@ -354,8 +354,8 @@ fn root_parts(b: Vector, p: Vector, lead: Vector, half: f64) -> [Vector; 3] {
     [lead, (p + root * side) * -0.5, constant]
 }
 
-/// The half-axis of the ellipse through the u with tan(wu/2)/(w/2) = half·numerator/denominator, in units of `half`. Not a number
-/// where both vanish: there is no singularity then.
+/// The half-axis of the ellipse through the u with tan(wu/2)/(w/2) = half·numerator/denominator, in units of `half`.
+/// Not a number where both vanish: there is no singularity then.
 #[inline]
 fn axis_through(numerator: Vector, denominator: Vector, rate: f64, half: f64) -> f64 {
     let (n, d) = if rate == 0.0 {

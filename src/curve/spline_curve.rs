@@ -95,8 +95,8 @@ impl<G: Generator> SplineCurve<G> {
         self.lattice.domain()
     }
 
-    /// The curve with point i elsewhere: it changes on the cells on which the point acts, n₀ of a B-spline curve and n₀ − 1 to each
-    /// side of a point of an interpolating one.
+    /// The curve with point i elsewhere: it changes on the cells on which the point acts, n₀ of a B-spline curve and
+    /// n₀ − 1 to each side of a point of an interpolating one.
     ///
     /// # Errors
     ///
@@ -107,16 +107,16 @@ impl<G: Generator> SplineCurve<G> {
         self.with_points(points)
     }
 
-    /// The image under an affine map: in the plane x′ = a·x + c·y + e, y′ = b·x + d·y + f with the `matrix` a b c d e f of SVG, in
-    /// space that of a 4 × 4 matrix, 16 numbers column by column.
+    /// The image under an affine map: in the plane x′ = a·x + c·y + e, y′ = b·x + d·y + f with the `matrix` a b c d e f
+    /// of SVG, in space that of a 4 × 4 matrix, 16 numbers column by column.
     ///
-    /// Exact to rounding where 0 is a root, as it is in all lists that [`Roots`] makes: the curve is then a sum of its points
-    /// whose weights add to 1. Without it, linear maps are exact and translations are refused.
+    /// Exact to rounding where 0 is a root, as it is in all lists that [`Roots`] makes: the curve is then a sum of its
+    /// points whose weights add to 1. Without it, linear maps are exact and translations are refused.
     ///
     /// # Errors
     ///
-    /// `matrix`: another length; an entry that is not finite; a last row that is not 0, 0, 0, 1 to 1e-6; a translation where 0 is no
-    /// root; an image that leaves ±1e9.
+    /// `matrix`: another length; an entry that is not finite; a last row that is not 0, 0, 0, 1 to 1e-6; a translation
+    /// where 0 is no root; an image that leaves ±1e9.
     pub fn transformed(&self, matrix: &[f64]) -> Result<Self> {
         let mut points = self.points.clone();
         self.affine(matrix)?.map_points(&mut points)?;
@@ -135,7 +135,8 @@ impl<G: Generator> SplineCurve<G> {
         Self::lay(points, self.generator.clone(), shape, dimension, closed, grid)
     }
 
-    /// The point at t, or a derivative of an order to n₀ − 1, at least to 2; where that jumps, the limit from the right.
+    /// The point at t, or a derivative of an order to n₀ − 1, at least to 2; where that jumps, the limit from the
+    /// right.
     ///
     /// # Errors
     ///
@@ -155,8 +156,8 @@ impl<G: Generator> SplineCurve<G> {
         self.lattice.evaluate_into(t, derivative, out)
     }
 
-    /// `count` points that lie uniformly in the parameter, or their derivatives, interleaved; see [`SplineSampler`], which
-    /// remembers its tables.
+    /// `count` points that lie uniformly in the parameter, or their derivatives, interleaved; see [`SplineSampler`],
+    /// which remembers its tables.
     ///
     /// # Errors
     ///
@@ -165,7 +166,8 @@ impl<G: Generator> SplineCurve<G> {
         SplineSampler::all(&self.lattice, count, derivative)
     }
 
-    /// How many polynomial pieces there are: one for each step of a B-spline curve, two for each segment of an interpolating one.
+    /// How many polynomial pieces there are: one for each step of a B-spline curve, two for each segment of an
+    /// interpolating one.
     pub fn piece_count(&self) -> usize {
         self.lattice.piece_count()
     }

@@ -23,7 +23,8 @@ pub(super) fn two_way_deviation(first: &[Segment], second: &[Segment], most: f64
     if there < most { there.max(deviation_of(second, first, most)) } else { there }
 }
 
-/// The largest distance of a place on `from` to the nearest place on `to`; where it is not below `most`, anything that is not either.
+/// The largest distance of a place on `from` to the nearest place on `to`; where it is not below `most`, anything that
+/// is not either.
 #[inline(never)]
 pub(super) fn deviation_of(from: &[Segment], to: &[Segment], most: f64) -> f64 {
     let mut largest = 0.0_f64;
@@ -31,7 +32,8 @@ pub(super) fn deviation_of(from: &[Segment], to: &[Segment], most: f64) -> f64 {
     let lattice = &lattice[..to.len() * PLACES];
     for k in 0..from.len() * PLACES {
         let (segment, mut next) = (&from[k / PLACES], place(k));
-        // Uphill from a place that is the farthest so far, and back by shorter steps: a long handle goes far between places.
+        // Uphill from a place that is the farthest so far, and back by shorter steps: a long handle goes far between
+        // places.
         let (mut x, mut step) = (f64::NAN, 1.0 / PLACES as f64);
         while step.abs() > CLOSE && largest < most {
             let there = distance(segment.position(next), lattice, to);
@@ -48,16 +50,19 @@ pub(super) fn deviation_of(from: &[Segment], to: &[Segment], most: f64) -> f64 {
     largest
 }
 
-/// The distance of a point to one or two segments, from the foot next to each place of theirs that is nearer than those beside it.
+/// The distance of a point to one or two segments, from the foot next to each place of theirs that is nearer than those
+/// beside it.
 ///
-/// The nearest place alone may be on another branch, which is farther. A joint is two places, as its foot may lie on either segment.
+/// The nearest place alone may be on another branch, which is farther. A joint is two places, as its foot may lie on
+/// either segment.
 fn distance(target: Point, lattice: &[Point], to: &[Segment]) -> f64 {
     let square = |k: usize| lattice.get(k).map_or(f64::INFINITY, |point| (point - target).norm_squared());
     let mut least = f64::INFINITY;
     let (mut before, mut here, mut tried) = (f64::INFINITY, square(0), false);
     for k in 0..lattice.len() {
         let after = square(k + 1);
-        // Of places that are all as near, as those of a circle to its middle, the first stands for all; the two places of a joint are one but for rounding.
+        // Of places that are all as near, as those of a circle to its middle, the first stands for all; the two places
+        // of a joint are one but for rounding.
         tried &= before <= ALIKE * here && k % PLACES > 0;
         if !tried && here <= ALIKE * before && here <= ALIKE * after {
             tried = true;

@@ -14,7 +14,8 @@ use places::places;
 mod places;
 mod speeds;
 
-/// A segment whose turning, as `turning` sums it, is so much more than that of the old ones has a loop that they have not.
+/// A segment whose turning, as `turning` sums it, is so much more than that of the old ones has a loop that they have
+/// not.
 const MORE_TURNING: f64 = 1.0;
 /// Chords from which a segment's turning is read, and along which places are laid on it.
 const CHORDS: usize = 32;
@@ -31,8 +32,9 @@ impl HermiteCurve {
     ///
     /// # Accuracy
     ///
-    /// The deviation is the largest distance between old and new segments, measured both ways at 97 places each and on from the farthest, uphill;
-    /// at an end of an open curve, how far the segment taken away reaches from the one beside it.
+    /// The deviation is the largest distance between old and new segments, measured both ways at 97 places each and on
+    /// from the farthest, uphill; at an end of an open curve, how far the segment taken away reaches from the one
+    /// beside it.
     ///
     /// # Errors
     ///
@@ -165,8 +167,8 @@ fn way(segment: &Segment) -> [Point; CHORDS + 1] {
     core::array::from_fn(|k| segment.position(k as f64 / CHORDS as f64))
 }
 
-/// How much segments turn, to and fro, from chord to chord: of each angle four times the tangent of its quarter, which is no less, and little more
-/// even where a bend lies between two chords that the old segments show in many.
+/// How much segments turn, to and fro, from chord to chord: of each angle four times the tangent of its quarter, which
+/// is no less, and little more even where a bend lies between two chords that the old segments show in many.
 #[inline(never)]
 fn turning(ways: &[&[Point]]) -> f64 {
     let (mut sum, mut last) = (0.0, Vector::zeros());

@@ -162,8 +162,8 @@ impl HermiteCurve {
     /// The one ellipse, or arc of it, that the whole curve is, if it deviates by no more than `tolerance`, measured
     /// along the longer axis.
     ///
-    /// A closed curve must run round exactly once, and every segment be an arc: lines, cubics and hyperbolic segments are none,
-    /// however near an ellipse they run. Cost: O(M).
+    /// A closed curve must run round exactly once, and every segment be an arc: lines, cubics and hyperbolic segments
+    /// are none, however near an ellipse they run. Cost: O(M).
     pub fn as_ellipse(&self, tolerance: f64) -> Option<EllipseArc> {
         // The longest arc knows its ellipse best.
         let (mut longest, mut most) = (0, 0.0);

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! with Stumpff's c₂ and c₃. The factors of the derivatives depend on ω and on the step between samples alone: one
-//! table serves every block of every segment with this ω (D 7.1). A block costs four derivatives at its middle, and then
-//! two points at a time cost three multiplications and four additions per coordinate.
+//! table serves every block of every segment with this ω (D 7.1). A block costs four derivatives at its middle, and
+//! then two points at a time cost three multiplications and four additions per coordinate.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -109,8 +109,8 @@ impl Sampler {
         self.run(curve, count, first, out, 4, false);
     }
 
-    /// The same for who wants all samples in ranges of any length: as many as fit without cutting a block in two, which is
-    /// half the work, with derivatives or without. Returns how many; not 0 while there are any and room for 512.
+    /// The same for who wants all samples in ranges of any length: as many as fit without cutting a block in two, which
+    /// is half the work, with derivatives or without. Returns how many; not 0 while there are any and room for 512.
     pub fn blocks(
         &mut self,
         curve: &HermiteCurve,
@@ -122,8 +122,8 @@ impl Sampler {
         self.run(curve, count, first, out, if tangents { 4 } else { 2 }, true)
     }
 
-    /// Walks the segments that the range touches, a block at a time; `stride` numbers are written for every sample. Returns
-    /// how many samples were made: where only whole blocks are wanted, those that fit.
+    /// Walks the segments that the range touches, a block at a time; `stride` numbers are written for every sample.
+    /// Returns how many samples were made: where only whole blocks are wanted, those that fit.
     #[inline(never)]
     fn run(
         &mut self,
@@ -299,7 +299,8 @@ impl Sampler {
         self.built = places;
     }
 
-    /// Value and derivatives at the middle of a block. Loops over numbers: vectors that are handed around wait for memory.
+    /// Value and derivatives at the middle of a block. Loops over numbers: vectors that are handed around wait for
+    /// memory.
     #[inline(always)]
     fn jet(&self, segment: &Segment, weights: &Rows) -> Jet {
         let mut jet = [[0.0; 2]; 4];
@@ -387,8 +388,8 @@ impl Jet {
 }
 
 impl Jet {
-    /// Samples from `first` on by Taylor's formula, which ends here for a cubic; this is the jet in the middle of a segment. A
-    /// loop without a call, over which engines would keep nothing in registers.
+    /// Samples from `first` on by Taylor's formula, which ends here for a cubic; this is the jet in the middle of a
+    /// segment. A loop without a call, over which engines would keep nothing in registers.
     #[inline(never)]
     fn taylor(&self, [share, length]: [f64; 2], run: Run, first: usize, out: &mut [f64], stride: usize) {
         let [value, slope, bend, twist] = self.0;

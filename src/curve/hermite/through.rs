@@ -15,9 +15,9 @@ impl HermiteCurve {
     /// [`HermiteCurve::new`] when `None`: a closed trigonometric curve then has ω = 2π/M and reproduces every
     /// ellipse that the points lie on evenly.
     ///
-    /// Where no unique such curve exists, or hardly (which takes a trigonometric ω near π or above), tangents are central differences
-    /// (Catmull–Rom) and only the first derivative is continuous; two points of a closed curve with ω = π give
-    /// the circle on their diameter, from the first point towards the second axis.
+    /// Where no unique such curve exists, or hardly (which takes a trigonometric ω near π or above), tangents are
+    /// central differences (Catmull–Rom) and only the first derivative is continuous; two points of a closed curve with
+    /// ω = π give the circle on their diameter, from the first point towards the second axis.
     ///
     /// # Accuracy
     ///

@@ -44,8 +44,8 @@ impl Bounds {
         [min_x, min_y, min_z, max_x, max_y, max_z].into_iter().fold(0.0, |most, x| larger(most, x.abs()))
     }
 
-    /// Distances that differ by no more than this count as equal: less than the curve's points are rounded by cannot be told
-    /// apart, and looking for it would halve arcs without end.
+    /// Distances that differ by no more than this count as equal: less than the curve's points are rounded by cannot be
+    /// told apart, and looking for it would halve arcs without end.
     pub(super) fn tie(&self) -> f64 {
         larger(TIE * self.extent(), 4.0 * f64::EPSILON * self.largest())
     }
@@ -144,7 +144,8 @@ pub(crate) fn hull(curve: &dyn Pieces) -> Bounds {
     grown.bounds(2)
 }
 
-/// The box around the points of a Hermite curve and its generalised Bézier points, those with a κ below `least` as far out as with that.
+/// The box around the points of a Hermite curve and its generalised Bézier points, those with a κ below `least` as far
+/// out as with that.
 #[inline(never)]
 pub(crate) fn frame(curve: &HermiteCurve, least: f64) -> Bounds {
     let mut grown = Grown::EMPTY;
@@ -191,7 +192,8 @@ fn extremes(piece: &SpacePiece, found: &mut dyn FnMut(Triple)) {
         found(piece.position(y));
     }
     for axis in 0..3 {
-        // The bound of this coordinate: by that of all a flat one, of a curve in a plane, would be halved down to its roundings.
+        // The bound of this coordinate: by that of all a flat one, of a curve in a plane, would be halved down to its
+        // roundings.
         let fourth = piece.fourth_of(0.5, &|power| power[axis].abs());
         let slopes = |y: f64| {
             let [_, first, second, third] = piece.jet(y);
@@ -201,8 +203,8 @@ fn extremes(piece: &SpacePiece, found: &mut dyn FnMut(Triple)) {
     }
 }
 
-/// Calls `found` where a function of the size `size` on [−1/2, 1/2] turns, by its first three derivatives and a bound of
-/// the fourth.
+/// Calls `found` where a function of the size `size` on [−1/2, 1/2] turns, by its first three derivatives and a bound
+/// of the fourth.
 ///
 /// An interval is passed over where Taylor's formula proves that the first derivative has no zero, solved where it
 /// proves it monotone, and else halved. Where the function stays within a rounding any point will do (D 10.3).
@@ -251,7 +253,8 @@ fn turns(
 mod tests {
     use super::*;
 
-    /// What does not change across a plane turns nowhere: the answer is a few points, whatever the curve does within the plane.
+    /// What does not change across a plane turns nowhere: the answer is a few points, whatever the curve does within
+    /// the plane.
     #[test]
     fn a_curve_in_a_plane_of_space_takes_no_longer_for_the_flat_coordinate() {
         // A quarter of a circle at a height of 0.1, by its Taylor coefficients.

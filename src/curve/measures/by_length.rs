@@ -229,7 +229,8 @@ impl Cell {
         if y < self.hi { y } else { self.hi }
     }
 
-    /// How far the parameter at a share of a cell from `lo` on, which is not put after others yet, is from there along the piece.
+    /// How far the parameter at a share of a cell from `lo` on, which is not put after others yet, is from there along
+    /// the piece.
     #[inline(never)]
     fn gap(&self, piece: &Piece, lo: f64, share: f64, tolerance: f64) -> f64 {
         let place = share * self.end;
@@ -262,8 +263,8 @@ fn tabulate(piece: &Piece, tolerance: f64, share: f64, cells: &mut Vec<Cell>) {
     // Places that a rounding of the parameter moves by more cannot be told apart: smaller cells would not help.
     let tolerance = tolerance.max(4.0 * ROUNDING * fastest(piece, -0.5, 0.5));
     let (mut total, mut from) = (0.0, Node::new(piece, -0.5));
-    // Where the intervals end that wait to be looked at, the next one last. Four at first: in the middle of a symmetric piece
-    // any polynomial is right.
+    // Where the intervals end that wait to be looked at, the next one last. Four at first: in the middle of a symmetric
+    // piece any polynomial is right.
     let (mut ends, mut open) = ([0.0; STACK], START.len());
     ends[..open].copy_from_slice(&START);
     while open > 0 {

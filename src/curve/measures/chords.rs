@@ -1,8 +1,8 @@
 //! Chords of a piece of any kind, and the proof that they are near it.
 //!
-//! The cubic with the ends and the end derivatives of a chord is near the chord by its control points, or where those leave
-//! it (cusps, turns) by the distance at equal parameters, ¼·max|h·r′ − c|. A piece that is not a cubic differs from that
-//! cubic by at most h⁴/384·max|r⁗|.
+//! The cubic with the ends and the end derivatives of a chord is near the chord by its control points, or where those
+//! leave it (cusps, turns) by the distance at equal parameters, ¼·max|h·r′ − c|. A piece that is not a cubic differs
+//! from that cubic by at most h⁴/384·max|r⁗|.
 
 use super::spreading::{part_count, spread};
 use super::tolerance::beyond;

@@ -1,16 +1,17 @@
 //! Chords of cubics: spread, proved and written in single precision, several cubics or several chords at a time.
 //!
-//! Let v, a, j be the derivatives of the cubic in the middle of a chord c of parameter width h. With u from −1 to 1 along it
-//! the cubic is off the chord's line by
+//! Let v, a, j be the derivatives of the cubic in the middle of a chord c of parameter width h. With u from −1 to 1
+//! along it the cubic is off the chord's line by
 //!
 //! ```text
 //! (h²/4)·(1 − u²)(A + Bu)/|c/h|
 //! A = ½·v × a − (h²/48)·a × j     B = (h/12)·v × j     c/h = v + (h²/24)·j
 //! ```
 //!
-//! which is at most (h²/4)·√(A² + B²/2)/|c/h|: (A + Bu)² ≤ (A² + B²/2)(1 + 2u²), and (1 − u²)²(1 + 2u²) = 1 − 3u⁴ + 2u⁶ ≤ 1. Where
-//! (h/2)|a| + (h²/12)|j| ≤ |c|/2h its control points project into the chord, and that bounds the distance both ways. Where not
-//! (cusps, turns) it says nothing, and the chords of all kinds of pieces do ([`super::chords`]).
+//! which is at most (h²/4)·√(A² + B²/2)/|c/h|: (A + Bu)² ≤ (A² + B²/2)(1 + 2u²), and
+//! (1 − u²)²(1 + 2u²) = 1 − 3u⁴ + 2u⁶ ≤ 1. Where (h/2)|a| + (h²/12)|j| ≤ |c|/2h its control points project into the
+//! chord, and that bounds the distance both ways. Where not (cusps, turns) it says nothing, and the chords of all kinds
+//! of pieces do ([`super::chords`]).
 
 use super::spreading::part_count;
 use super::tolerance::beyond;
@@ -41,8 +42,8 @@ const LEAST_DENSITY: f32 = 1e-12;
 
 /// Cuts groups of cubics into chords.
 ///
-/// Work on one cubic is a long chain of sums and roots, each of which waits for the one before; side by side, cubics do not wait for
-/// each other.
+/// Work on one cubic is a long chain of sums and roots, each of which waits for the one before; side by side, cubics do
+/// not wait for each other.
 pub(super) struct Cutter {
     /// The point and the three derivatives in the middle of each cubic, and where it starts.
     middles: [[Vector; 4]; GROUP],
@@ -73,8 +74,8 @@ struct Sums {
     total: [f32; GROUP],
 }
 
-/// A cell of each cubic. With d of its sum before it a point is at share·d − bend·d² of the cell, from its start: the inverse of the
-/// integral of a linear density, to first order in its tilt.
+/// A cell of each cubic. With d of its sum before it a point is at share·d − bend·d² of the cell, from its start: the
+/// inverse of the integral of a linear density, to first order in its tilt.
 #[derive(Clone, Copy)]
 struct Cell {
     /// The sum up to its end.
@@ -130,8 +131,8 @@ impl Cutter {
         }
     }
 
-    /// Appends the start of a cubic and the points between its ends, and returns the bound of the distance; nothing, and nothing
-    /// appended, where the bound is not good enough.
+    /// Appends the start of a cubic and the points between its ends, and returns the bound of the distance; nothing,
+    /// and nothing appended, where the bound is not good enough.
     #[inline(never)]
     pub(super) fn cut(
         &mut self,
@@ -158,7 +159,8 @@ impl Cutter {
                 return Ok(Some(bound));
             }
             out.truncate(written);
-            // The bound goes with the square of the number; where it takes many more, chords of other lengths do with fewer.
+            // The bound goes with the square of the number; where it takes many more, chords of other lengths do with
+            // fewer.
             let next = 1.005 * (count as f64) * (bound / tolerance).sqrt();
             if next > 1.02 * (count as f64) + 1.0 {
                 break;
@@ -290,7 +292,8 @@ impl Turning {
         start * end < 0.0 || start * middle < 0.0
     }
 
-    /// The largest squared bound of the chords between the places, as many as there are bounds, a multiple of the lanes.
+    /// The largest squared bound of the chords between the places, as many as there are bounds, a multiple of the
+    /// lanes.
     #[inline(never)]
     fn largest(&self, places: &[f32; BATCH + LANES + 1], bounds: &mut [f32]) -> f32 {
         let count = bounds.len() / LANES * LANES;

@@ -4,8 +4,9 @@
 //! chosen so that it crosses the arc at two places, which for a short arc makes the three lobes of the error equal:
 //! s²(1 − s)²((s − ½)² − x) is least for x = 0.026 446. The error is of the sixth order in the width.
 //!
-//! Around an inflection there may be no such lengths, because there the handles hardly move the cubic sideways. The squares
-//! of its distances from the arc still have a least sum, which is far below what handles of a third of the derivatives leave.
+//! Around an inflection there may be no such lengths, because there the handles hardly move the cubic sideways. The
+//! squares of its distances from the arc still have a least sum, which is far below what handles of a third of the
+//! derivatives leave.
 
 use crate::curve::piece::{Jet, Piece};
 use crate::numerics::dense::damped_step;
@@ -127,7 +128,8 @@ impl Handles {
         [start, start + leaving * self.lengths[0], end - arriving * self.lengths[1], end]
     }
 
-    /// How far the cubic is to the side of the arc at one of the places, and how that changes with each handle's length.
+    /// How far the cubic is to the side of the arc at one of the places, and how that changes with each handle's
+    /// length.
     fn row(&mut self, piece: &Piece, cubic: &Cubic, place: usize) -> [f64; 3] {
         let s = PLACES[place];
         let foot = Foot::of(piece, cubic_at(cubic, s), self.feet[place], self.limits);
@@ -221,7 +223,8 @@ pub(super) struct Foot {
 }
 
 impl Foot {
-    /// Two of Newton's steps from y towards the foot of a point, with one look at the arc: what is near y is Taylor's sum.
+    /// Two of Newton's steps from y towards the foot of a point, with one look at the arc: what is near y is Taylor's
+    /// sum.
     #[inline(never)]
     fn of(piece: &Piece, point: Point, y: f64, [lo, hi]: [f64; 2]) -> Self {
         let Jet { position, first, second, third } = piece.jet(y);

@@ -1,11 +1,11 @@
 //! The proof of how far a cubic is from an arc.
 //!
 //! Parameters are matched: a polynomial σ of degree 6 through the feet takes the cubic's s to the arc's y, onto
-//! and monotone, so E(s) = c(s) − r(σ(s)) bounds the distance both ways. E is entire. Its Chebyshev coefficients beyond the
-//! tenth add up to at most 2M·ρ⁻¹⁰/(ρ − 1) with M = max|E| on the ellipse of half-axis sum ρ [Trefethen, theorem 8.1], and
-//! a polynomial of degree 10 is at most 1/cos(π/8) of its largest value at 40 Chebyshev points [Ehlich and Zeller, 1964].
-//! So 40 values of E bound it everywhere; where that misses the tolerance by less than what it may be too large by, 160
-//! do, with degree 16.
+//! and monotone, so E(s) = c(s) − r(σ(s)) bounds the distance both ways. E is entire. Its Chebyshev coefficients beyond
+//! the tenth add up to at most 2M·ρ⁻¹⁰/(ρ − 1) with M = max|E| on the ellipse of half-axis sum ρ [Trefethen, theorem
+//! 8.1], and a polynomial of degree 10 is at most 1/cos(π/8) of its largest value at 40 Chebyshev points [Ehlich and
+//! Zeller, 1964]. So 40 values of E bound it everywhere; where that misses the tolerance by less than what it may be
+//! too large by, 160 do, with degree 16.
 
 use core::f64::consts::FRAC_PI_2;
 

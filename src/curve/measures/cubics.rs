@@ -20,7 +20,8 @@ const MOST_HALVINGS: usize = 40;
 const MOST_BALANCED: usize = 256;
 /// How often the ends of the pieces are moved to make their errors even.
 const ROUNDS: usize = 3;
-/// Parts are even where none is wider, by its error, than the mean one by more than a fiftieth: its error then is an eighth larger.
+/// Parts are even where none is wider, by its error, than the mean one by more than a fiftieth: its error then is an
+/// eighth larger.
 const EVEN: f64 = 1.02;
 /// How often an arc is divided before it is halved.
 const PASSES: usize = 12;
@@ -170,7 +171,8 @@ fn kappa(square: f64) -> f64 {
     c.c3 / c.c2
 }
 
-/// Cubics for a piece, halved where they cannot be balanced: near cusps, bends, and the ends of long hyperbolic segments.
+/// Cubics for a piece, halved where they cannot be balanced: near cusps, bends, and the ends of long hyperbolic
+/// segments.
 fn divided(piece: &Piece, tolerance: f64, out: &mut Vec<Cubic>) -> f64 {
     let mut deviation: f64 = 0.0;
     let mut stack = [(0.0, 0.0); MOST_HALVINGS + 1];

@@ -2,8 +2,8 @@
 //!
 //! Every segment is cut into arcs that stay near their chords, by a bound; boxes around them form a tree. A question
 //! visits what could hold a nearer point than the best so far. On an arc Halley's method finds a stationary point, and
-//! Taylor's formula with a bound of the fourth derivative proves that nothing on the arc is nearer; where the proof does
-//! not succeed, the arc is halved ([`super::search`]).
+//! Taylor's formula with a bound of the fourth derivative proves that nothing on the arc is nearer; where the proof
+//! does not succeed, the arc is halved ([`super::search`]).
 
 use super::bounds::bounds;
 use super::search::{Question, Stiffness, View, search};
@@ -99,8 +99,8 @@ impl Boxes {
     }
 }
 
-/// Which of the distances is the least, or as good as it. As whole numbers, with their place in the last four bits, they are compared
-/// several at a time and bring it along; a branch for each would often be foreseen wrongly.
+/// Which of the distances is the least, or as good as it. As whole numbers, with their place in the last four bits,
+/// they are compared several at a time and bring it along; a branch for each would often be foreseen wrongly.
 #[inline]
 fn first_of(distances: &[f64; FAN]) -> usize {
     let mut keys = [0; FAN];
@@ -118,7 +118,8 @@ fn first_of(distances: &[f64; FAN]) -> usize {
     (a.min(b).min(c.min(d)) & (FAN as u64 - 1)) as usize
 }
 
-/// An upright box: its least coordinates, and its largest ones negated, so that the box around several has the least of all four.
+/// An upright box: its least coordinates, and its largest ones negated, so that the box around several has the least of
+/// all four.
 type Corners = [f64; 4];
 
 /// The tree over these boxes, from their own level up to one of one node.

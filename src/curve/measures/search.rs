@@ -19,8 +19,8 @@ const MOST_STEPS: usize = 8;
 const SMALL_STEP: f64 = 1e-4;
 /// Newton's steps up to this share of a segment are exact to rounding.
 const LAST_STEP: f64 = 1e-9;
-/// What Taylor's formula leaves of |e|², where it is a smaller share than this, has lost digits that another look at the curve has: of a
-/// place on a branch 1e-12 away from another the wrong one would be taken.
+/// What Taylor's formula leaves of |e|², where it is a smaller share than this, has lost digits that another look at
+/// the curve has: of a place on a branch 1e-12 away from another the wrong one would be taken.
 const CANCELLED: f64 = 1e-3;
 /// The most intervals that are open at once.
 const STACK: usize = 64;

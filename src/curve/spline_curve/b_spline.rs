@@ -14,10 +14,11 @@ use crate::refine::finer;
 /// What forty refinements, as many as there are from the largest step to the least, may round off a parameter.
 const ROUNDED: f64 = 1e-12;
 
-/// A curve r(t) = Σ P\[l\] b((t − offset)/step − l) with the exponential B-spline b, divided by its integral, in 2-D or 3-D.
+/// A curve r(t) = Σ P\[l\] b((t − offset)/step − l) with the exponential B-spline b, divided by its integral, in 2-D or
+/// 3-D.
 ///
-/// The control points lie near the curve, at distances that fall with the square of the step. Where 0 is a root they sum
-/// convexly: the curve is in the hull of any n₀ neighbours.
+/// The control points lie near the curve, at distances that fall with the square of the step. Where 0 is a root they
+/// sum convexly: the curve is in the hull of any n₀ neighbours.
 ///
 /// # Domain
 ///
@@ -60,8 +61,8 @@ impl BSplineCurve {
         Self::with_roots(points, dimension, closed, roots, Grid { start, step, end: None })
     }
 
-    /// The same curve with the domain from `start` to `end`, which differs from what step and offset say by roundings: with it a
-    /// curve that was refined can be made again from its numbers.
+    /// The same curve with the domain from `start` to `end`, which differs from what step and offset say by roundings:
+    /// with it a curve that was refined can be made again from its numbers.
     ///
     /// # Errors
     ///
@@ -143,8 +144,8 @@ impl BSplineCurve {
     ///
     /// # Errors
     ///
-    /// m not from 1 to 1024, or so large that the step would be below 1e-12 or the offset not within ±1e9; more than 4 million
-    /// points; points that would not be within ±1e9.
+    /// m not from 1 to 1024, or so large that the step would be below 1e-12 or the offset not within ±1e9; more than 4
+    /// million points; points that would not be within ±1e9.
     ///
     /// # Source
     ///

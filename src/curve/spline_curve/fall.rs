@@ -36,7 +36,8 @@ impl Fall {
         }
     }
 
-    /// Where on piece p half/2 samples from the start are, −1/2 to 1/2; the same on all pieces if they are filled evenly.
+    /// Where on piece p half/2 samples from the start are, −1/2 to 1/2; the same on all pieces if they are filled
+    /// evenly.
     pub(super) fn y(&self, p: usize, half: usize) -> f64 {
         let place = half as f64 * self.pieces as f64 - 2.0 * p as f64 * self.steps as f64;
         place / (2.0 * self.steps as f64) - 0.5

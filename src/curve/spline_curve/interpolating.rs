@@ -13,19 +13,20 @@ use crate::refine::{extended, from_points};
 
 /// A curve through its points: r(t) = Σ P\[k\] φ(t − k) with the interpolator φ of a list of roots, in 2-D or 3-D.
 ///
-/// Point k is at t = k. The curve has n₀ − 2 continuous derivatives and keeps exactly what the roots stand for. A point acts on
-/// n₀ − 1 segments to each side and on nothing else.
+/// Point k is at t = k. The curve has n₀ − 2 continuous derivatives and keeps exactly what the roots stand for. A point
+/// acts on n₀ − 1 segments to each side and on nothing else.
 ///
 /// # Domain
 ///
-/// A closed curve of M ≥ 3 points has any real t and period M; an open one of N ≥ 2 points has [0, N − 1]. Beyond its ends an open
-/// curve's points are continued by the roots' own recurrence ([`extended`]).
+/// A closed curve of M ≥ 3 points has any real t and period M; an open one of N ≥ 2 points has [0, N − 1]. Beyond its
+/// ends an open curve's points are continued by the roots' own recurrence ([`extended`]).
 ///
 /// # Accuracy
 ///
-/// 1e-14·(1 + Σ|λ|) of the points' size; at the points exact. Where 0 and real roots are mixed the points beyond an open curve's
-/// ends grow and cancel again: on the first and last n₀ − 2 segments 1e-16·e^{(n₀ − 3)a} more with the largest real part a, which is
-/// 2e-11 for 0, 0, ±12, and 1e-14·e^{(n₀ − 3)a} for what [`Self::refine`] makes of it (`tests/interpolating_curves.rs`).
+/// 1e-14·(1 + Σ|λ|) of the points' size; at the points exact. Where 0 and real roots are mixed the points beyond an
+/// open curve's ends grow and cancel again: on the first and last n₀ − 2 segments 1e-16·e^{(n₀ − 3)a} more with the
+/// largest real part a, which is 2e-11 for 0, 0, ±12, and 1e-14·e^{(n₀ − 3)a} for what [`Self::refine`] makes of it
+/// (`tests/interpolating_curves.rs`).
 ///
 /// # Source
 ///
@@ -37,7 +38,8 @@ use crate::refine::{extended, from_points};
 /// use expline::InterpolatingCurve;
 ///
 /// // Five points of a circle are the circle.
-/// let points: Vec<f64> = (0..5).flat_map(|k| { let (s, c) = (1.256_637_061_435_917_3 * f64::from(k)).sin_cos(); [c, s] }).collect();
+/// let angles = (0..5).map(|k| core::f64::consts::TAU / 5.0 * f64::from(k));
+/// let points: Vec<f64> = angles.flat_map(|angle| [angle.cos(), angle.sin()]).collect();
 /// let circle = InterpolatingCurve::new(points, 2, true, None)?;
 /// let [x, y] = circle.evaluate(0.37, 0)?[..] else { unreachable!() };
 /// assert!((x.hypot(y) - 1.0).abs() < 1e-14);
@@ -48,8 +50,8 @@ pub type InterpolatingCurve = SplineCurve<Arc<Interpolator>>;
 impl InterpolatingCurve {
     /// The curve through `points`, interleaved by `dimension`.
     ///
-    /// Without roots, a closed curve of M points gets (0, ±2πi/M), which keep ellipses, and an open one (0, 0, 0, 0), which keep
-    /// cubics and bend continuously: an open curve has no natural frequency.
+    /// Without roots, a closed curve of M points gets (0, ±2πi/M), which keep ellipses, and an open one (0, 0, 0, 0),
+    /// which keep cubics and bend continuously: an open curve has no natural frequency.
     ///
     /// # Errors
     ///
@@ -93,12 +95,13 @@ impl InterpolatingCurve {
     ///
     /// # Errors
     ///
-    /// `levels` not from 1 to 24, m₀ not even, a factor above 1024, more than 4 million points, points that would not be within ±1e9.
+    /// `levels` not from 1 to 24, m₀ not even, a factor above 1024, more than 4 million points, points that would not
+    /// be within ±1e9.
     ///
     /// # Accuracy
     ///
-    /// The curve changes by at most 1e-12 of its size at level 6 (`tests/interpolating_curves.rs`), an open one of large real roots
-    /// by what [`InterpolatingCurve`] says of it.
+    /// The curve changes by at most 1e-12 of its size at level 6 (`tests/interpolating_curves.rs`), an open one of
+    /// large real roots by what [`InterpolatingCurve`] says of it.
     ///
     /// # Source
     ///

@@ -34,8 +34,8 @@ pub(in crate::curve) struct Grid {
     pub(super) step: f64,
     /// Parameter of the last knot, or none for the first plus all steps.
     ///
-    /// A curve and its refinements have one domain to the last bit. A third of a step is rounded, and no choice of its last
-    /// bit makes three of them the step: the end is handed on, and with it the parameter at which a curve closes.
+    /// A curve and its refinements have one domain to the last bit. A third of a step is rounded, and no choice of its
+    /// last bit makes three of them the step: the end is handed on, and with it the parameter at which a curve closes.
     pub(super) end: Option<f64>,
 }
 
@@ -173,7 +173,8 @@ impl Lattice {
         self.step / self.shape.per_cell as f64
     }
 
-    /// The point where piece i starts, or the end. Its knot would not do: far from 0 that is rounded, by any share of a cell.
+    /// The point where piece i starts, or the end. Its knot would not do: far from 0 that is rounded, by any share of a
+    /// cell.
     pub(in crate::curve) fn start_into(&self, i: usize, out: &mut [f64]) {
         let count = self.piece_count();
         let i = if self.closed { i % count } else { i };

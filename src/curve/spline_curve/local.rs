@@ -1,4 +1,5 @@
-//! More control points where the user works, and none elsewhere: patches of displacements over a curve that stays as it is.
+//! More control points where the user works, and none elsewhere: patches of displacements over a curve that stays as it
+//! is.
 
 use std::sync::Arc;
 
@@ -17,9 +18,10 @@ const FINEST: usize = 12;
 
 /// An interpolating curve with patches of finer control points where they are wanted.
 ///
-/// A patch is a layer of displacements d on the grid 2⁻ˡᵉᵛᵉˡ: the curve is r(t) + Σ dᵢ b(2ˡᵉᵛᵉˡ·t − i), with the B-splines of
-/// [`InterpolatingCurve::refine`]. All displacements are 0 at first, so that making room changes no bit of the shape; a point of
-/// the curve that is moved later takes the detail along; a patch that is dropped takes its detail with it. \[FB88\]
+/// A patch is a layer of displacements d on the grid 2⁻ˡᵉᵛᵉˡ: the curve is r(t) + Σ dᵢ b(2ˡᵉᵛᵉˡ·t − i), with the
+/// B-splines of [`InterpolatingCurve::refine`]. All displacements are 0 at first, so that making room changes no bit of
+/// the shape; a point of the curve that is moved later takes the detail along; a patch that is dropped takes its detail
+/// with it. \[FB88\]
 ///
 /// # Example
 ///
@@ -81,11 +83,13 @@ impl LocalCurve {
         Self::new(base).add_patches(given)
     }
 
-    /// The image under an affine map, as [`SplineCurve::transformed`](super::SplineCurve::transformed) has it; the patches come along.
+    /// The image under an affine map, as [`SplineCurve::transformed`](super::SplineCurve::transformed) has it; the
+    /// patches come along.
     ///
     /// # Errors
     ///
-    /// Those of [`SplineCurve::transformed`](super::SplineCurve::transformed); `matrix` where a displacement leaves ±2e9.
+    /// Those of [`SplineCurve::transformed`](super::SplineCurve::transformed); `matrix` where a displacement leaves
+    /// ±2e9.
     pub fn transformed(&self, matrix: &[f64]) -> Result<Self> {
         let map = self.base.affine(matrix)?;
         let mut curve = self.clone();
@@ -98,13 +102,13 @@ impl LocalCurve {
         Ok(curve)
     }
 
-    /// The same curve with room for detail around t: a patch of all control points on the grid 2^−`levels` that lie within
-    /// `reach` of t.
+    /// The same curve with room for detail around t: a patch of all control points on the grid 2^−`levels` that lie
+    /// within `reach` of t.
     ///
     /// # Errors
     ///
-    /// t outside the domain; `levels` not from 1 to 12, or so many that their grid has more than 4 million control points; `reach` not from
-    /// 0 to 1e6, or with no control point within it.
+    /// t outside the domain; `levels` not from 1 to 12, or so many that their grid has more than 4 million control
+    /// points; `reach` not from 0 to 1e6, or with no control point within it.
     pub fn refine_at(&self, t: f64, levels: usize, reach: f64) -> Result<Self> {
         self.check_level("levels", levels)?;
         check("reach", None, reach, 0.0, 1e6)?;
@@ -181,13 +185,14 @@ impl LocalCurve {
     ///
     /// # Errors
     ///
-    /// A level not from 1 to 12; a window that does not fit on it; displacements of another number, or not finite, or not within
-    /// ±2e9; more than 4 million control points.
+    /// A level not from 1 to 12; a window that does not fit on it; displacements of another number, or not finite, or
+    /// not within ±2e9; more than 4 million control points.
     pub fn add_patch(&self, window: (usize, usize, usize), displacements: &[f64]) -> Result<Self> {
         self.add_patches([(window, displacements)])
     }
 
-    /// Adds many patches at once, each a window with its displacements as for [`Self::add_patch`]: the same as one after the other.
+    /// Adds many patches at once, each a window with its displacements as for [`Self::add_patch`]: the same as one
+    /// after the other.
     ///
     /// # Errors
     ///
@@ -302,8 +307,8 @@ impl LocalCurve {
     ///
     /// # Errors
     ///
-    /// k or i beyond the last; a point of another dimension, or with a number that is not finite or not within ±1e9; `displacements`
-    /// where the point would be moved by more than 2e9.
+    /// k or i beyond the last; a point of another dimension, or with a number that is not finite or not within ±1e9;
+    /// `displacements` where the point would be moved by more than 2e9.
     pub fn with_patch_point(&self, k: usize, i: usize, point: &[f64]) -> Result<Self> {
         let (patch, dimension) = (self.patch(k)?, self.base.dimension());
         let mut points = self.patch_points(k)?;

@@ -15,15 +15,15 @@ const LOOKS: usize = 8;
 const LEAST_CELLS: usize = 3;
 
 impl BSplineCurve {
-    /// The curve on the grid that is coarser by m whose refinement has the control points nearest to these, in the sum of
-    /// squares, and the largest distance between the two curves, parameter by parameter.
+    /// The curve on the grid that is coarser by m whose refinement has the control points nearest to these, in the sum
+    /// of squares, and the largest distance between the two curves, parameter by parameter.
     ///
     /// What was refined and not changed comes back.
     ///
     /// # Errors
     ///
-    /// m not from 1 to 1024, or not a divisor of the number of cells, or so large that |im|·step ≥ π or the offset is not within
-    /// ±1e9; a coarse grid of fewer than 3 closed cells; points that would not be within ±1e9.
+    /// m not from 1 to 1024, or not a divisor of the number of cells, or so large that |im|·step ≥ π or the offset is
+    /// not within ±1e9; a coarse grid of fewer than 3 closed cells; points that would not be within ±1e9.
     ///
     /// # Accuracy
     ///
@@ -65,8 +65,8 @@ impl BSplineCurve {
     ///
     /// # Errors
     ///
-    /// `step` where the grid is not 1/2, 1/4, 1/6, … of a unit or does not start at 0, where a prime factor of that number is
-    /// above 1024, or where the length is not whole; too few points, or roots without an interpolator.
+    /// `step` where the grid is not 1/2, 1/4, 1/6, … of a unit or does not start at 0, where a prime factor of that
+    /// number is above 1024, or where the length is not whole; too few points, or roots without an interpolator.
     pub fn interpolating(&self) -> Result<(InterpolatingCurve, f64)> {
         let lattice = &self.lattice;
         let factor = (1.0 / lattice.step).round();
@@ -114,7 +114,8 @@ fn factors(number: usize) -> Option<(usize, Vec<usize>)> {
 }
 
 impl Lattice {
-    /// The largest distance from the origin: of parabolas through three of `LOOKS` places per piece, where they have a peak.
+    /// The largest distance from the origin: of parabolas through three of `LOOKS` places per piece, where they have a
+    /// peak.
     fn reach(&self) -> Result<f64> {
         let places =
             (self.piece_count().saturating_mul(LOOKS) + usize::from(!self.closed)).min(MOST_OUTPUT_POINTS);

@@ -6,9 +6,10 @@
 //! r(a ± τ) = Σ r⁽ʲ⁾(a) eⱼ(τ), j even  ±  Σ r⁽ʲ⁾(a) eⱼ(τ), j odd
 //! ```
 //!
-//! with the functions eⱼ of the space that have eⱼ⁽ⁱ⁾(0) = δᵢⱼ, i < n₀; they have the parity of j because the list of roots is
-//! symmetric. They are the same for all blocks: one table serves all of a sampling (D 9.10). A block costs n₀ derivatives at
-//! its middle, and then two points at a time cost n₀ multiplications for each coordinate, whatever the number of weights.
+//! with the functions eⱼ of the space that have eⱼ⁽ⁱ⁾(0) = δᵢⱼ, i < n₀; they have the parity of j because the list of
+//! roots is symmetric. They are the same for all blocks: one table serves all of a sampling (D 9.10). A block costs n₀
+//! derivatives at its middle, and then two points at a time cost n₀ multiplications for each coordinate, whatever the
+//! number of weights.
 
 use std::sync::Arc;
 
@@ -59,8 +60,8 @@ impl SplineSampler {
         Self::default()
     }
 
-    /// Samples `first`, `first + 1`, … of the uniform sampling of `curve` by `count` points, or of a derivative, as many as
-    /// `out` has room for, interleaved.
+    /// Samples `first`, `first + 1`, … of the uniform sampling of `curve` by `count` points, or of a derivative, as
+    /// many as `out` has room for, interleaved.
     ///
     /// Sample i lies at i/count of the parameter range of a closed curve, at i/(count − 1) of an open one.
     ///
@@ -83,8 +84,8 @@ impl SplineSampler {
         self.run(&curve.lattice, count, first, derivative, out, false).map(|_| ())
     }
 
-    /// The same for who wants all samples in ranges of any length: as many as fit without cutting a block in two, which is
-    /// half the work. Returns how many; not 0 while there are any and room for 512.
+    /// The same for who wants all samples in ranges of any length: as many as fit without cutting a block in two, which
+    /// is half the work. Returns how many; not 0 while there are any and room for 512.
     ///
     /// # Errors
     ///
@@ -340,8 +341,9 @@ impl SplineSampler {
         samples.copy_from_slice(&block[skipped..skipped + samples.len()]);
     }
 
-    /// The samples at middle ± τ in the plane where there are one even and at most two odd rows, as for 3 and 4 roots, and how
-    /// many pairs there were. Compilers make vector code of it: it is on its own so that they see that nothing overlaps.
+    /// The samples at middle ± τ in the plane where there are one even and at most two odd rows, as for 3 and 4 roots,
+    /// and how many pairs there were. Compilers make vector code of it: it is on its own so that they see that nothing
+    /// overlaps.
     #[inline(never)]
     fn few_rows<const ODD: usize>(&self, parity: usize, left: &mut [f64], right: &mut [f64]) -> usize {
         let (left, right) = (left.as_chunks_mut::<2>().0, right.as_chunks_mut::<2>().0);

@@ -1,4 +1,5 @@
-//! Taylor sums of the functions eⱼ of a list of roots, eⱼ⁽ⁱ⁾(0) = δᵢⱼ, and what they make of derivatives elsewhere (D 9.10).
+//! Taylor sums of the functions eⱼ of a list of roots, eⱼ⁽ⁱ⁾(0) = δᵢⱼ, and what they make of derivatives elsewhere
+//! (D 9.10).
 
 use super::lattice::Shape;
 

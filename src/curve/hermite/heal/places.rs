@@ -11,7 +11,8 @@ pub(super) const COUNT: usize = 2 * EACH;
 /// Places on the old segments, x and y, each after its x in the new one.
 pub(super) type Places = [[f64; 3]; COUNT];
 
-/// The places, each after the x that it would have in the new segment if the first old one were this share of the whole.
+/// The places, each after the x that it would have in the new segment if the first old one were this share of the
+/// whole.
 #[inline(never)]
 pub(super) fn places(old: &[Segment; 2], share: f64) -> Places {
     let mut places = [[0.0; 3]; COUNT];

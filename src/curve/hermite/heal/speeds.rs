@@ -1,4 +1,5 @@
-//! The end speeds of a segment that replaces two: a survey of many pairs of speeds, and the nearest segments from the best of them (D 7.3).
+//! The end speeds of a segment that replaces two: a survey of many pairs of speeds, and the nearest segments from the
+//! best of them (D 7.3).
 
 use super::places::{COUNT, Places, heading};
 use super::{Best, CHORDS, turning, way};
@@ -8,12 +9,14 @@ use crate::numerics::{Point, Vector};
 
 /// Speeds that are surveyed: with two of 1 a straight segment would be as long as the old ones.
 const SPEEDS: [f64; 9] = [0.06, 0.15, 0.35, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0];
-/// The least speed that comes out, wherever it began: where a handle is shorter, the curve turns there as sharply as at a corner, and
-/// nobody can seize it.
+/// The least speed that comes out, wherever it began: where a handle is shorter, the curve turns there as sharply as at
+/// a corner, and nobody can seize it.
 const LEAST: f64 = 0.1;
-/// The largest: no cubic is faster at an end than nine times its way, as |q(0)| ≤ 9 ∫|q| for parabolas q, and steps beyond that never come back.
+/// The largest: no cubic is faster at an end than nine times its way, as |q(0)| ≤ 9 ∫|q| for parabolas q, and steps
+/// beyond that never come back.
 const MOST: f64 = 9.0;
-/// Where all that the steps led to is this share of the way apart, or has a loop, the survey itself may have what is nearer.
+/// Where all that the steps led to is this share of the way apart, or has a loop, the survey itself may have what is
+/// nearer.
 const FAR: f64 = 0.25;
 /// Pairs of them.
 const SURVEYED: usize = SPEEDS.len() * SPEEDS.len();
@@ -22,8 +25,8 @@ const STEPS: usize = 24;
 /// A step by no more than this share of the speeds is the last: the next one would be of the size of its square.
 const STILL: f64 = 1e-6;
 
-/// Looks at segments that have the ends of `merged` and are nearest to the places: one from each least value of the survey, which leaves out
-/// what turns too much, and where they are far apart the survey's own.
+/// Looks at segments that have the ends of `merged` and are nearest to the places: one from each least value of the
+/// survey, which leaves out what turns too much, and where they are far apart the survey's own.
 #[inline(never)]
 pub(super) fn nearest(merged: &Segment, places: &Places, best: &mut Best<'_>) {
     let directions = [heading(&best.old[0], 0.0), heading(&best.old[1], 1.0)];
@@ -41,7 +44,8 @@ pub(super) fn nearest(merged: &Segment, places: &Places, best: &mut Best<'_>) {
         }
     }
     if best.healed.deviation > FAR * fit.unit * merged.length {
-        // Places at equal shares of the length are no nearer than the nearest ones: what is farther on the average is skipped.
+        // Places at equal shares of the length are no nearer than the nearest ones: what is farther on the average is
+        // skipped.
         for (k, &squares) in survey.iter().enumerate() {
             if squares < COUNT as f64 * best.healed.deviation * best.healed.deviation {
                 best.look(&fit.with(fit.bounded(fit.speeds(k))));
@@ -112,7 +116,8 @@ impl<'a> Fit<'a> {
         Segment { leaving: self.directions[0] * out, arriving: self.directions[1] * inn, ..self.merged }
     }
 
-    /// Where a segment of these chords has the places if each is as far along them as it is along their way, and the sum of the squared distances.
+    /// Where a segment of these chords has the places if each is as far along them as it is along their way, and the
+    /// sum of the squared distances.
     #[inline(never)]
     fn lay(&self, ends: &[Point], feet: &mut [f64; COUNT]) -> f64 {
         let mut lengths = [0.0; CHORDS + 1];
@@ -160,8 +165,9 @@ impl<'a> Fit<'a> {
         self.with(speeds)
     }
 
-    /// The equations for a change of the speeds that lessens the sum of the squared distances of the places, or of their fourth powers:
-    /// almost only of the farthest, but smoothly. Squares are counted in `unit`, the largest of them if that is 0.
+    /// The equations for a change of the speeds that lessens the sum of the squared distances of the places, or of
+    /// their fourth powers: almost only of the farthest, but smoothly. Squares are counted in `unit`, the largest of
+    /// them if that is 0.
     #[inline(never)]
     fn equations(
         &self,
