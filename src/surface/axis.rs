@@ -51,8 +51,8 @@ pub(super) fn surplus(roots: &Roots, level: u32) -> usize {
 }
 
 impl Axis {
-    /// Prepares a direction of a caller's. B-splines exist for more roots than interpolators, but every surface can be reduced to
-    /// points on it.
+    /// Prepares a direction of a caller's. B-splines exist for more roots than interpolators, but every surface can be
+    /// reduced to points on it.
     pub(super) fn given(direction: Direction, arguments: [&'static str; 2]) -> Result<Self> {
         if direction.level > 0 {
             Interpolator::new(&direction.roots).map_err(|error| error.about(arguments[1]))?;

@@ -45,8 +45,9 @@ const FEATURES: [(usize, usize, f64, f64); 12] = [
 ];
 
 impl TensorSurface {
-    /// A duckling, about 2 high, standing on the xy plane and looking along x: 12 × 11 points on the surface, twice continuously
-    /// differentiable. u runs round on \[0, 12\], v upwards from pole to pole on \[0, 10\]. Normals point outwards.
+    /// A duckling, about 2 high, standing on the xy plane and looking along x: 12 × 11 points on the surface, twice
+    /// continuously differentiable. u runs round on \[0, 12\], v upwards from pole to pole on \[0, 10\]. Normals point
+    /// outwards.
     ///
     /// # Errors
     ///

@@ -166,8 +166,8 @@ impl<'a> Combined<'a> {
     }
 }
 
-/// Lays the rows of the net that weigh on an interval out along the places that columns meet: zeros beyond a layer's window.
-/// Whether any row is within it.
+/// Lays the rows of the net that weigh on an interval out along the places that columns meet: zeros beyond a layer's
+/// window. Whether any row is within it.
 #[inline(never)]
 fn lay(layer: &Layer, interval: usize, places: &[usize], lines: &mut [f64]) -> bool {
     let Layer { u, rows, columns, net, .. } = layer;

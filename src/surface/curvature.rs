@@ -6,15 +6,16 @@ use super::tensor::TensorSurface;
 use crate::error::{Error, Result};
 use crate::numerics::Vector3;
 
-/// Beside a pole curvatures are interpolated from places that are multiples of this part of the domain away: rounding, 1e-16 over
-/// the square of the distance, and the cubic's error are 1e-8 both where that begins.
+/// Beside a pole curvatures are interpolated from places that are multiples of this part of the domain away: rounding,
+/// 1e-16 over the square of the distance, and the cubic's error are 1e-8 both where that begins.
 const STEP: f64 = 1.0 / 1024.0;
 /// So near, in those steps.
 const BESIDE: f64 = 0.125;
-/// Of a place x steps away: a sixth of x times the third difference is what the cubic may be wrong by, and 1e-16 over the square of the
-/// distance what rounding makes of the curvature there; the one over the other, but for x³.
+/// Of a place x steps away: a sixth of x times the third difference is what the cubic may be wrong by, and 1e-16 over
+/// the square of the distance what rounding makes of the curvature there; the one over the other, but for x³.
 const UNSEEN: f64 = 1e-9;
-/// At other degenerate places curvatures are extrapolated from places that are multiples of this part of the domain away.
+/// At other degenerate places curvatures are extrapolated from places that are multiples of this part of the domain
+/// away.
 const FARTHER: f64 = 1.0 / 256.0;
 /// No step is longer than this part of one of the grid: four of them stay between two knots.
 const LONGEST: f64 = 0.0625;
@@ -61,12 +62,13 @@ impl TensorSurface {
     ///
     /// # Accuracy
     ///
-    /// Relative to the curvatures of quadrics, however thin, 1e-12 (measured: 5e-13 where one is 1e-9 times as thin as it is
-    /// long); within 1/1000 of the domain of a pole 3e-8, as first derivatives are 0 there, and 2e-3 where what has the pole is a
-    /// coin, a hundred times as wide as thick. At the pole itself both are
+    /// Relative to the curvatures of quadrics, however thin, 1e-12 (measured: 5e-13 where one is 1e-9 times as thin as
+    /// it is long); within 1/1000 of the domain of a pole 3e-8, as first derivatives are 0 there, and 2e-3 where what
+    /// has the pole is a coin, a hundred times as wide as thick. At the pole itself both are
     /// 0/0, and are the limit, from every side the same: 1e-13, and with m × n points on a sphere 1e-16·m·n. At other
-    /// degenerate places where an edge shrinks to a point it is that, too; elsewhere it is extrapolated from four places
-    /// inside, to some 1e-6 of the neighbourhood's variation. Where there is no limit, 0 (`tests/surface_shape.rs`).
+    /// degenerate places where an edge shrinks to a point it is that, too; elsewhere it is extrapolated from four
+    /// places inside, to some 1e-6 of the neighbourhood's variation. Where there is no limit, 0
+    /// (`tests/surface_shape.rs`).
     ///
     /// # Errors
     ///
@@ -130,7 +132,8 @@ impl TensorSurface {
             .unwrap_or_else(|| self.extrapolated((u, v), &most, scratch))
     }
 
-    /// Curvatures at a degenerate place from four steps towards the middle of the domain, where they say the same as three.
+    /// Curvatures at a degenerate place from four steps towards the middle of the domain, where they say the same as
+    /// three.
     fn extrapolated(&self, (u, v): (f64, f64), most: &Jet, scratch: &mut Scratch) -> Curvature {
         let [end_u, end_v] = self.domain();
         let towards = |t: f64, end: f64, step: f64| if t + t <= end { t + step } else { t - step };
@@ -199,8 +202,8 @@ impl TensorSurface {
         Some(sum)
     }
 
-    /// The limit of curvatures along one direction, at a place where the derivative in the other vanishes (D 11.6); nothing
-    /// where that does not, or where there is no limit.
+    /// The limit of curvatures along one direction, at a place where the derivative in the other vanishes (D 11.6);
+    /// nothing where that does not, or where there is no limit.
     fn limit(&self, by_u: bool, (u, v): (f64, f64), most: &Jet, scratch: &mut Scratch) -> Option<Curvature> {
         let mut at = |across: usize, along: usize| {
             let order = if by_u { (along, across) } else { (across, along) };

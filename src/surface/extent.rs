@@ -26,8 +26,8 @@ impl Layer {
         [least, most]
     }
 
-    /// Half the diagonal of the box of those points, and not less than rounding makes of points that are one. It does not
-    /// fall when points are added; 0 where the layer has none there.
+    /// Half the diagonal of the box of those points, and not less than rounding makes of points that are one. It does
+    /// not fall when points are added; 0 where the layer has none there.
     fn size(&self, from: [usize; 2], count: [usize; 2]) -> f64 {
         let [least, most] = self.bounds(from, count);
         if least[0] > most[0] {
@@ -42,7 +42,8 @@ impl Layer {
         [self.u.nearest_place(u).interval, self.v.nearest_place(v).interval]
     }
 
-    /// How large derivatives can be that are made of those points, coordinate by coordinate: what their rounding is a part of.
+    /// How large derivatives can be that are made of those points, coordinate by coordinate: what their rounding is a
+    /// part of.
     fn most(&self, from: [usize; 2], count: [usize; 2]) -> Jet {
         let [least, most] = self.bounds(from, count);
         let far = Vector3::from_fn(|k, _| most[k].max(-least[k]).max(0.0));
@@ -57,8 +58,8 @@ impl TensorSurface {
         self.layers.iter().map(|layer| layer.size([0, 0], [layer.u.run(), layer.v.run()])).sum()
     }
 
-    /// The size of the points that weigh on a place. What lies elsewhere has no part in it: a point that is moved far away
-    /// changes nothing where it does not act.
+    /// The size of the points that weigh on a place. What lies elsewhere has no part in it: a point that is moved far
+    /// away changes nothing where it does not act.
     pub(super) fn extent_at(&self, u: f64, v: f64) -> f64 {
         self.layers.iter().map(|layer| layer.size(layer.seen(u, v), [layer.u.width(), layer.v.width()])).sum()
     }

@@ -16,8 +16,8 @@ use crate::numerics::Vector3;
 use crate::numerics::lists::steps;
 use crate::numerics::pair::Pair;
 
-/// A vertex whose ∂ᵤσ × ∂ᵥσ is below this part of the size squared asks [`TensorSurface::normal_at`]: the size of what it sees, so that
-/// a vertex that a moved point does not reach keeps its bits.
+/// A vertex whose ∂ᵤσ × ∂ᵥσ is below this part of the size squared asks [`TensorSurface::normal_at`]: the size of what
+/// it sees, so that a vertex that a moved point does not reach keeps its bits.
 const DOUBTFUL: f64 = 1e-9;
 
 /// A grid of parameters: `rows` of them in u, `cols` in v.
@@ -31,7 +31,8 @@ pub struct Grid {
     pub cols: usize,
 }
 
-/// Part of a grid: ranges of rows and columns that may run beyond the last one of a closed direction, round to the first.
+/// Part of a grid: ranges of rows and columns that may run beyond the last one of a closed direction, round to the
+/// first.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Region {
     /// Rows.
@@ -101,8 +102,8 @@ fn fill_row(
 impl TensorSurface {
     /// The triangles of a mesh, three vertex numbers each; vertex (i, j) has number i·cols + j.
     ///
-    /// They depend on the grid and on which directions are closed, and not on the net: at a pole some have no area. Seen from
-    /// where the normals point they run counterclockwise.
+    /// They depend on the grid and on which directions are closed, and not on the net: at a pole some have no area.
+    /// Seen from where the normals point they run counterclockwise.
     ///
     /// # Errors
     ///
@@ -139,15 +140,15 @@ impl TensorSurface {
         (base.u.uniform(i % grid.rows, grid.rows), base.v.uniform(j % grid.cols, grid.cols))
     }
 
-    /// Positions and unit normals of the vertices of a region of a grid, three numbers each, row by row. Returns how many
-    /// vertices have no normal: theirs is 0.
+    /// Positions and unit normals of the vertices of a region of a grid, three numbers each, row by row. Returns how
+    /// many vertices have no normal: theirs is 0.
     ///
     /// A vertex has the same bits in every region.
     ///
     /// # Errors
     ///
-    /// `OutOfRange` and `LimitExceeded` for `rows` and `cols`, as [`TensorSurface::indices`]; `WrongLength` where an array has
-    /// not three numbers for each vertex of the region.
+    /// `OutOfRange` and `LimitExceeded` for `rows` and `cols`, as [`TensorSurface::indices`]; `WrongLength` where an
+    /// array has not three numbers for each vertex of the region.
     ///
     /// # Cost
     ///

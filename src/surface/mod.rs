@@ -1,10 +1,10 @@
 //! Surfaces: a net of points times a generator in each direction.
 //!
-//! [`TensorSurface`] goes through its net where both directions have points on the surface, and near it where a direction
-//! was refined to B-spline form. Spheres, tori and other quadrics are exact with a handful of points ([`TensorSurface::sphere`]
-//! and its kin). [`TensorSurface::mesh_into`] gives triangles for a screen, [`TensorSurface::touched`] what part of them an
-//! edit changes, [`TensorSurface::refine_at`] makes room for detail where it is wanted. Trimmed surfaces and surfaces that are
-//! no grid of patches are not here.
+//! [`TensorSurface`] goes through its net where both directions have points on the surface, and near it where a
+//! direction was refined to B-spline form. Spheres, tori and other quadrics are exact with a handful of points
+//! ([`TensorSurface::sphere`] and its kin). [`TensorSurface::mesh_into`] gives triangles for a screen,
+//! [`TensorSurface::touched`] what part of them an edit changes, [`TensorSurface::refine_at`] makes room for detail
+//! where it is wanted. Trimmed surfaces and surfaces that are no grid of patches are not here.
 //!
 //! ```
 //! use expline::TensorSurface;

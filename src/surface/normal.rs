@@ -5,8 +5,9 @@ use super::tensor::TensorSurface;
 use crate::error::{Error, Result};
 use crate::numerics::Vector3;
 
-/// ∂ᵤσ × ∂ᵥσ counts where it is not smaller than this part of its own derivatives: closer to a degenerate place the limit
-/// is taken. The limit is wrong by at most this part there, the product's rounding (1e-16) is the same part of it.
+/// ∂ᵤσ × ∂ᵥσ counts where it is not smaller than this part of its own derivatives: closer to a degenerate place the
+/// limit is taken. The limit is wrong by at most this part there, the product's rounding (1e-16) is the same part of
+/// it.
 const NEAR: f64 = 1e-8;
 /// Derivatives below this part of the coordinates that they are made of are rounding, coordinate by coordinate: what
 /// is thin in one direction is judged by itself, not by how long it is in another.
@@ -93,7 +94,8 @@ impl TensorSurface {
 
     /// The unit normal at parameters that were checked, or 0 where there is none.
     ///
-    /// Where ∂ᵤσ × ∂ᵥσ vanishes, the normal is its limit from inside the domain: the direction in which it grows (D 11.3).
+    /// Where ∂ᵤσ × ∂ᵥσ vanishes, the normal is its limit from inside the domain: the direction in which it grows
+    /// (D 11.3).
     pub(super) fn normal_at(&self, u: f64, v: f64, scratch: &mut Scratch) -> Vector3 {
         let (jet, most) = (self.jet(u, v, scratch), self.most_at(u, v));
         let (here, least) = jet.product(&most);
@@ -114,7 +116,8 @@ impl TensorSurface {
             return here / length;
         }
         if growth > doubt {
-            // What is there of the product, be it ever so short, has the right sense; at the place itself the inside has.
+            // What is there of the product, be it ever so short, has the right sense; at the place itself the inside
+            // has.
             let backwards = if length > SENSE * least {
                 here.dot(&grows) < 0.0
             } else {
@@ -136,8 +139,8 @@ impl TensorSurface {
         if length > least { sum / length } else { Vector3::zeros() }
     }
 
-    /// Unit normals at pairs of parameters, three numbers each: ∂ᵤσ × ∂ᵥσ, and its limit at poles and other places where it
-    /// vanishes. Where the surface has none — all points equal, or on a line — the three numbers are 0.
+    /// Unit normals at pairs of parameters, three numbers each: ∂ᵤσ × ∂ᵥσ, and its limit at poles and other places
+    /// where it vanishes. Where the surface has none — all points equal, or on a line — the three numbers are 0.
     ///
     /// # Accuracy
     ///

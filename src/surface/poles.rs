@@ -1,7 +1,8 @@
 //! Editing, with poles that stay smooth.
 //!
 //! At a pole a row of the net is one point, many times. The rows beyond it are not free: the tangents that arrive there
-//! from all sides lie in one plane only if row −r differs from row r by a first harmonic, a·cos 2πk/M + b·sin 2πk/M (D 11.2).
+//! from all sides lie in one plane only if row −r differs from row r by a first harmonic, a·cos 2πk/M + b·sin 2πk/M
+//! (D 11.2).
 
 use core::f64::consts::TAU;
 
@@ -12,10 +13,11 @@ use crate::limits::settle;
 use crate::numerics::Vector3;
 use crate::numerics::angle::sin_cos;
 
-/// A pole counts as smooth where the rows at it keep to the rule within this part of their size: what lies elsewhere, however far
-/// away, has no part in it.
+/// A pole counts as smooth where the rows at it keep to the rule within this part of their size: what lies elsewhere,
+/// however far away, has no part in it.
 const KEPT: f64 = 1e-9;
-/// And within this part of their distance from the origin: the rule is a sum over a row, of numbers that are rounded there.
+/// And within this part of their distance from the origin: the rule is a sum over a row, of numbers that are rounded
+/// there.
 const ROUNDING: f64 = 1e-14;
 
 /// One end of an open direction that closes to a point.
@@ -64,8 +66,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`; `OutOfRange` for `net` where a point that
-    /// follows would not be within ±1e9. The surface is as it was then.
+    /// `OutOfRange` for `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`; `OutOfRange` for `net` where a
+    /// point that follows would not be within ±1e9. The surface is as it was then.
     pub fn set_point(&mut self, i: usize, j: usize, mut point: Vector3) -> Result<bool> {
         self.base().check(i, j)?;
         check_point(&point)?;

@@ -11,7 +11,8 @@ use crate::refine::{Target, least_squares};
 
 /// Places per interval, in each direction, at which a change is looked at.
 const LOOKS: usize = 4;
-/// From rows and columns that come as near to the largest as this the way leads uphill. Between looks a change grows by a seventh at most.
+/// From rows and columns that come as near to the largest as this the way leads uphill. Between looks a change grows by
+/// a seventh at most.
 const NEAR: f64 = 0.85;
 /// Halvings of the step on the way: a peak is then known to 1e-4 of its height.
 const HALVINGS: usize = 6;
@@ -47,21 +48,21 @@ fn halve(net: &[f64], fine: &Axis, coarse: &Axis, inner: usize) -> Result<Vec<f6
 }
 
 impl TensorSurface {
-    /// The surface with a net that is coarser by 2^`levels_u` in u and by 2^`levels_v` in v whose refinement has the control points
-    /// nearest to this one's, direction by direction, in the sum of squares; and the largest distance between the two,
-    /// parameter by parameter. Patches stay as they are.
+    /// The surface with a net that is coarser by 2^`levels_u` in u and by 2^`levels_v` in v whose refinement has the
+    /// control points nearest to this one's, direction by direction, in the sum of squares; and the largest distance
+    /// between the two, parameter by parameter. Patches stay as they are.
     ///
     /// What was refined and not changed comes back.
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for more levels than a direction has, and for a coarser `net` that is not within ±1e9; `Degenerate` and
-    /// `TooFewPoints` for a net that cannot be halved so often.
+    /// `OutOfRange` for more levels than a direction has, and for a coarser `net` that is not within ±1e9; `Degenerate`
+    /// and `TooFewPoints` for a net that cannot be halved so often.
     ///
     /// # Accuracy
     ///
-    /// The distance is looked at in 4 × 4 places of each field of the net, and followed uphill from the largest of them: to about
-    /// 1e-4 of itself.
+    /// The distance is looked at in 4 × 4 places of each field of the net, and followed uphill from the largest of
+    /// them: to about 1e-4 of itself.
     pub fn reduce(&self, levels_u: u32, levels_v: u32) -> Result<(Self, f64)> {
         let base = self.base();
         let [most_u, most_v] = base.levels();
@@ -96,7 +97,8 @@ impl TensorSurface {
         let looks = [&base.u, &base.v].map(|axis| LOOKS * axis.intervals);
         let step = [base.u.end() / looks[0] as f64, base.v.end() / looks[1] as f64];
         let mut scratch = Scratch::default();
-        // The largest of each row and of each column: of two peaks in one row the way may lead higher from the lower look.
+        // The largest of each row and of each column: of two peaks in one row the way may lead higher from the lower
+        // look.
         let mut far = vec![(0.0, [0.0; 2]); looks[0] + looks[1] + 2];
         for i in 0..=looks[0] {
             for j in 0..=looks[1] {

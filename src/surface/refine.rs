@@ -16,7 +16,8 @@ pub(super) fn doubled(axis: &Axis) -> Result<Axis> {
     Axis::new(Direction { roots: roots.clone(), count, closed, level: level + 1 }, ["levels"; 2])
 }
 
-/// The points of a net with the direction doubled that runs over `axis`: again and again, each time with `inner` numbers a point.
+/// The points of a net with the direction doubled that runs over `axis`: again and again, each time with `inner`
+/// numbers a point.
 fn double(net: &[f64], axis: &Axis, inner: usize) -> Result<Vec<f64>> {
     let Direction { ref roots, count, closed, level } = axis.direction;
     let interpolator = if level == 0 { Some(Interpolator::new(roots)?) } else { None };
@@ -96,9 +97,9 @@ pub(super) fn grown(axis: &Axis, levels: u32) -> usize {
 impl TensorSurface {
     /// The same surface with 2^`levels_u` times the points in u and 2^`levels_v` times in v.
     ///
-    /// A direction that is refined is in B-spline form: its points are control points, near the surface and ever nearer,
-    /// in the normalisation in which they move with the surface under affine maps. Detail that was added locally stays; what the
-    /// finer net can hold goes into it.
+    /// A direction that is refined is in B-spline form: its points are control points, near the surface and ever
+    /// nearer, in the normalisation in which they move with the surface under affine maps. Detail that was added
+    /// locally stays; what the finer net can hold goes into it.
     ///
     /// # Accuracy
     ///
@@ -106,8 +107,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for more than 12 levels, and for a finer `net` that is not within ±1e9; `LimitExceeded` for `levels` that make
-    /// more than 12 with those that there are, or more than 4,194,304 points.
+    /// `OutOfRange` for more than 12 levels, and for a finer `net` that is not within ±1e9; `LimitExceeded` for
+    /// `levels` that make more than 12 with those that there are, or more than 4,194,304 points.
     ///
     /// # Source
     ///

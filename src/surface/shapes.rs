@@ -51,8 +51,8 @@ impl TensorSurface {
         Self::new(net, u, v)
     }
 
-    /// A sphere about the origin: u runs round from the x axis, closed on \[0, `segments[0]`\], v from the south pole (0, 0, −r)
-    /// to the north pole on \[0, `segments[1]`\]. Normals point outwards.
+    /// A sphere about the origin: u runs round from the x axis, closed on \[0, `segments[0]`\], v from the south pole
+    /// (0, 0, −r) to the north pole on \[0, `segments[1]`\]. Normals point outwards.
     ///
     /// # Errors
     ///
@@ -85,13 +85,13 @@ impl TensorSurface {
         })
     }
 
-    /// A torus about the z axis: u runs round the axis at distance `radius`, v round the tube of radius `tube`, both closed and
-    /// as long as `segments` says. Normals point outwards.
+    /// A torus about the z axis: u runs round the axis at distance `radius`, v round the tube of radius `tube`, both
+    /// closed and as long as `segments` says. Normals point outwards.
     ///
     /// # Errors
     ///
-    /// `NotFinite` and `OutOfRange` for `radius` and `tube`: positive, together at most 1e9, of which `tube` is told what is left;
-    /// `OutOfRange` for `segments`: 3 at least.
+    /// `NotFinite` and `OutOfRange` for `radius` and `tube`: positive, together at most 1e9, of which `tube` is told
+    /// what is left; `OutOfRange` for `segments`: 3 at least.
     pub fn torus(radius: f64, tube: f64, segments: [usize; 2]) -> Result<Self> {
         check_segments(segments, [3, 3])?;
         positive("radius", radius)?;
@@ -106,12 +106,13 @@ impl TensorSurface {
         })
     }
 
-    /// A cylinder about the z axis, without lids: u runs round, v upwards from z = −height/2, as far as `segments` says. Normals
-    /// point outwards.
+    /// A cylinder about the z axis, without lids: u runs round, v upwards from z = −height/2, as far as `segments`
+    /// says. Normals point outwards.
     ///
     /// # Errors
     ///
-    /// `NotFinite` and `OutOfRange` for `radius` and `height`: positive, at most 1e9; `OutOfRange` for `segments`: 3 and 1 at least.
+    /// `NotFinite` and `OutOfRange` for `radius` and `height`: positive, at most 1e9; `OutOfRange` for `segments`: 3
+    /// and 1 at least.
     pub fn cylinder(radius: f64, height: f64, segments: [usize; 2]) -> Result<Self> {
         check_segments(segments, [3, 1])?;
         positive("radius", radius)?;
@@ -125,7 +126,8 @@ impl TensorSurface {
         })
     }
 
-    /// Steiner's Roman surface ½r²(cos a·sin 2b, sin a·sin 2b, sin 2a·cos² b): a = 2πu/m and b = 2πv/n for `segments` m and n, closed.
+    /// Steiner's Roman surface ½r²(cos a·sin 2b, sin a·sin 2b, sin 2a·cos² b): a = 2πu/m and b = 2πv/n for `segments` m
+    /// and n, closed.
     ///
     /// It is covered four times over, and has no normal at its six pinch points. The root 0 is in both lists, so that
     /// moving the net moves the surface; [SFBGU17, sec. 5.1.1] leaves it out of one.
@@ -148,12 +150,13 @@ impl TensorSurface {
         })
     }
 
-    /// A piece of the hyperbolic paraboloid x²/a² − y²/b² = z/h: (a·p·cosh q, b·p·sinh q, h·p²) for p and q from −1 to 1, in as
-    /// many steps as `segments` says.
+    /// A piece of the hyperbolic paraboloid x²/a² − y²/b² = z/h: (a·p·cosh q, b·p·sinh q, h·p²) for p and q from −1 to
+    /// 1, in as many steps as `segments` says.
     ///
     /// # Errors
     ///
-    /// `NotFinite` and `OutOfRange` for `a`, `b` and `h`: positive, at most 1e8; `OutOfRange` for `segments`: 1 at least.
+    /// `NotFinite` and `OutOfRange` for `a`, `b` and `h`: positive, at most 1e8; `OutOfRange` for `segments`: 1 at
+    /// least.
     ///
     /// # Source
     ///

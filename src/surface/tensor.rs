@@ -38,8 +38,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `TooFewPoints` for `u.count` and `v.count`; `LimitExceeded`, `WrongLength`, `NotFinite`, `OutOfRange` for `net`; for
-    /// `u.roots` and `v.roots` those of [`crate::generator::Interpolator::new`].
+    /// `TooFewPoints` for `u.count` and `v.count`; `LimitExceeded`, `WrongLength`, `NotFinite`, `OutOfRange` for `net`;
+    /// for `u.roots` and `v.roots` those of [`crate::generator::Interpolator::new`].
     pub fn new(mut net: Vec<f64>, u: Direction, v: Direction) -> Result<Self> {
         let points = u.count.saturating_mul(v.count);
         if points > MOST_SURFACE_POINTS {
@@ -54,7 +54,8 @@ impl TensorSurface {
         Self::from_axes(net, u, v).within_limits()
     }
 
-    /// The surface, if its numbers are those that a surface can be made of: what is derived can be loaded and asked, too.
+    /// The surface, if its numbers are those that a surface can be made of: what is derived can be loaded and asked,
+    /// too.
     pub(super) fn within_limits(self) -> Result<Self> {
         for (i, &number) in self.net().iter().enumerate() {
             check("net", Some(i), number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
@@ -95,16 +96,16 @@ impl TensorSurface {
         [self.base().u.parameter(i), self.base().v.parameter(j)]
     }
 
-    /// The image under the affine map of a 4 × 4 matrix, 16 numbers column by column; patches come along. Where the matrix
-    /// reflects, normals point to the other side.
+    /// The image under the affine map of a 4 × 4 matrix, 16 numbers column by column; patches come along. Where the
+    /// matrix reflects, normals point to the other side.
     ///
-    /// Exact to rounding where 0 is a root in u and in v, as for all shapes that are here. Without it, linear maps are exact and
-    /// translations are refused.
+    /// Exact to rounding where 0 is a root in u and in v, as for all shapes that are here. Without it, linear maps are
+    /// exact and translations are refused.
     ///
     /// # Errors
     ///
-    /// `matrix`: `WrongLength`; `NotFinite`; `OutOfRange` for a last row that is not 0, 0, 0, 1 to 1e-6, and where a point leaves ±1e9
-    /// or a displacement ±2e9; `Degenerate` for a translation where 0 is no root.
+    /// `matrix`: `WrongLength`; `NotFinite`; `OutOfRange` for a last row that is not 0, 0, 0, 1 to 1e-6, and where a
+    /// point leaves ±1e9 or a displacement ±2e9; `Degenerate` for a translation where 0 is no root.
     pub fn transformed(&self, matrix: &[f64]) -> Result<Self> {
         let movable = self.directions().iter().all(|direction| direction.roots.keeps_constants());
         let map = Affine::new(matrix, 3, movable)?;
@@ -120,8 +121,8 @@ impl TensorSurface {
     ///
     /// # Domain
     ///
-    /// Closed directions take any parameter, open ones those of their domain. Derivatives to order n₀ − 2 are continuous;
-    /// beyond, the value at a knot is that to the right of it.
+    /// Closed directions take any parameter, open ones those of their domain. Derivatives to order n₀ − 2 are
+    /// continuous; beyond, the value at a knot is that to the right of it.
     ///
     /// # Accuracy
     ///

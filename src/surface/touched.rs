@@ -14,7 +14,8 @@ fn rows(axis: &Axis, i: usize, count: usize) -> Range<usize> {
     let (intervals, width) = (axis.intervals, axis.width());
     let closed = axis.direction.closed;
     let (first, last) = if closed {
-        // Interval m is weighed on by m + start … m + start + width − 1, so point i by m = i − start − width + 1 … i − start.
+        // Interval m is weighed on by m + start … m + start + width − 1, so point i by m = i − start − width + 1 …
+        // i − start.
         let last = i as i64 - axis.start;
         (last - width as i64 + 1, last + 1)
     } else {

@@ -36,8 +36,8 @@ impl IntervalWeights {
         Ok(Self { width, halves: 2, length, pieces })
     }
 
-    /// One piece an interval, n₀ points on it; divided by what they sum to where constants are reproduced, so that control points
-    /// move with the surface.
+    /// One piece an interval, n₀ points on it; divided by what they sum to where constants are reproduced, so that
+    /// control points move with the surface.
     pub(super) fn of_b_spline(roots: &Roots, level: u32) -> Result<Self> {
         let fine = roots.divided(f64::from(1_u32 << level));
         let (spline, integral) = (ExponentialBSpline::new(&fine)?, fine.integral());
