@@ -1,4 +1,5 @@
-//! The convex problem: what is minimised, over which splines, what its solution is, what λ means at any scale, and the certificate.
+//! The convex problem: what is minimised, over which splines, what its solution is, what λ means at any scale, and the
+//! certificate.
 //!
 //! Nothing here knows a solver, so the certificate shares nothing with what it judges.
 

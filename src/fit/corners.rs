@@ -6,7 +6,8 @@ use super::samples::Samples;
 use crate::numerics::order::sort_by_number;
 use crate::numerics::{Point, Vector};
 
-/// A corner turns by so much more, in radians, than points do in the mean, and than so many times what the turns on either side lead to.
+/// A corner turns by so much more, in radians, than points do in the mean, and than so many times what the turns on
+/// either side lead to.
 const LED: f64 = 2.0;
 const MORE: f64 = 0.9;
 /// Sides that meet farther off than so many steps do not meet.
@@ -22,7 +23,8 @@ pub(super) struct Corner {
     pub(super) next: usize,
 }
 
-/// What an open way turns by at its inner points, how long it is around each, and how much it bends there: the one by the other.
+/// What an open way turns by at its inner points, how long it is around each, and how much it bends there: the one by
+/// the other.
 struct Turns {
     by: Vec<f64>,
     lengths: Vec<f64>,
@@ -54,7 +56,8 @@ impl Turns {
         Self { by, lengths, bends, mean }
     }
 
-    /// What the bends of two points lead to in a direction, the nearer one first: as much as there, or growing as it did.
+    /// What the bends of two points lead to in a direction, the nearer one first: as much as there, or growing as it
+    /// did.
     fn led(&self, near: Option<usize>, far: Option<usize>, sign: f64) -> f64 {
         let bend = |m: Option<usize>| m.and_then(|m| self.bends.get(m)).map(|bend| (bend * sign).max(0.0));
         let last = bend(near).unwrap_or(0.0);
@@ -114,7 +117,8 @@ fn meeting(from: Point, [before, step, after]: [Vector; 3]) -> Point {
     if along > 0.0 && way.norm() < FAR * step.norm() { from + way } else { from + step * 0.5 }
 }
 
-/// What a way turns by from one step to the next, to the left or to the right, within 3 %: from the distance of two directions.
+/// What a way turns by from one step to the next, to the left or to the right, within 3 %: from the distance of two
+/// directions.
 fn turn(before: Vector, after: Vector) -> f64 {
     let apart = after / after.norm() - before / before.norm();
     let square = apart.norm_squared();

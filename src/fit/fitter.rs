@@ -54,9 +54,9 @@ enum Run {
 
 /// Fits the same points again and again: to other λ, another smoothing, another tolerance.
 ///
-/// [`Fitter::ask`] starts a run, [`Fitter::step`] takes it further, [`Fitter::fit`] gives the best curve so far. What is asked
-/// before changes no bit of what is found, unless a gap of 1e-3 or more is enough: then a run for λ or a smoothing starts where
-/// the last one ended, and agrees within the gap.
+/// [`Fitter::ask`] starts a run, [`Fitter::step`] takes it further, [`Fitter::fit`] gives the best curve so far. What
+/// is asked before changes no bit of what is found, unless a gap of 1e-3 or more is enough: then a run for λ or a
+/// smoothing starts where the last one ended, and agrees within the gap.
 #[derive(Clone, Debug)]
 pub struct Fitter {
     options: Options,
@@ -124,8 +124,8 @@ impl Fitter {
     ///
     /// # Errors
     ///
-    /// Those of [`Samples::new`]; degrees that are not one or two ascending numbers from 1 to 5; parameters that decrease;
-    /// lists of the wrong length; numbers out of their range; `OutOfMemory`.
+    /// Those of [`Samples::new`]; degrees that are not one or two ascending numbers from 1 to 5; parameters that
+    /// decrease; lists of the wrong length; numbers out of their range; `OutOfMemory`.
     pub fn new(points: &[Point], options: &Options) -> Result<Self> {
         options.check(points.len())?;
         limits::probe(points.len().saturating_mul(PER_POINT))?;
@@ -175,9 +175,10 @@ impl Fitter {
 
     /// Takes the run further by about `budget` microseconds' worth of work, at least by one round.
     ///
-    /// A round is a few passes over the points: of 400,000 points of a noisy circle .15 s at most where λ is given, natively.
-    /// Where a search ends with straight pieces the last round takes longer, .3 s for so many, and 1.3 s where a tolerance is
-    /// far below the noise. [`Fitter::fit`] then takes as long as every point needs to find its foot, .1 to .7 s.
+    /// A round is a few passes over the points: of 400,000 points of a noisy circle .15 s at most where λ is given,
+    /// natively. Where a search ends with straight pieces the last round takes longer, .3 s for so many, and 1.3 s
+    /// where a tolerance is far below the noise. [`Fitter::fit`] then takes as long as every point needs to find its
+    /// foot, .1 to .7 s.
     ///
     /// # Errors
     ///
@@ -257,12 +258,12 @@ impl Fitter {
     ///
     /// # Errors
     ///
-    /// Where nothing was asked for, and `OutOfMemory`. A curve that leaves the range of coordinates, which takes points near
-    /// its limit or parameters that hardly grow, is replaced by the polygon of the points, `Stalled`.
+    /// Where nothing was asked for, and `OutOfMemory`. A curve that leaves the range of coordinates, which takes points
+    /// near its limit or parameters that hardly grow, is replaced by the polygon of the points, `Stalled`.
     pub fn fit(&self) -> Result<Fit> {
         match self.described() {
-            // A smooth curve swings beyond points near the limit, or as far as there is no number for it; the polygon of the
-            // points does not.
+            // A smooth curve swings beyond points near the limit, or as far as there is no number for it; the polygon
+            // of the points does not.
             Err(error) if matches!(*error, Error::OutOfRange { .. } | Error::NotFinite { .. }) => {
                 report::polygon(&self.frame())
             }
@@ -271,7 +272,8 @@ impl Fitter {
     }
 }
 
-/// A round of the first search that is not done, if the one before leaves anything to be found; answers whether all are.
+/// A round of the first search that is not done, if the one before leaves anything to be found; answers whether all
+/// are.
 fn go_on(searches: &mut Vec<Sparsest>, rounds: &mut usize) -> Result<bool> {
     let mut done = true;
     match searches.iter().position(|search| !search.is_done()) {
@@ -298,7 +300,8 @@ fn go_on(searches: &mut Vec<Sparsest>, rounds: &mut usize) -> Result<bool> {
 }
 
 /// A round of the first rival that has needless knots; where none has any, the cheapest of them, and the others.
-/// Averages of the points say which is the cheapest, but not which can keep a tolerance with fewer knots: the rest follow then.
+/// Averages of the points say which is the cheapest, but not which can keep a tolerance with fewer knots: the rest
+/// follow then.
 fn choose(
     rivals: &mut Vec<Sparsest>,
     others: &mut Vec<Sparsest>,

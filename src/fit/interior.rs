@@ -1,4 +1,5 @@
-//! The interior point on the knots in play, from its start to exact knots, the way off the grid, and ADMM beside it to be compared with.
+//! The interior point on the knots in play, from its start to exact knots, the way off the grid, and ADMM beside it to
+//! be compared with.
 
 mod active_set;
 pub mod admm;

@@ -1,4 +1,5 @@
-//! The fewest knots within an asked error: splines with knots anywhere, what their points say of each knot, and the search.
+//! The fewest knots within an asked error: splines with knots anywhere, what their points say of each knot, and the
+//! search.
 
 mod adding;
 mod bins;

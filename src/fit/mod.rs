@@ -1,8 +1,9 @@
 //! The sparsest curve through points: total-variation splines with a certificate of optimality.
 //!
-//! [`fit`] does it at once, [`Fitter`] in steps that can be stopped, and again and again for a slider. What is wanted is
-//! an [`Ask`]: a price for each jump, a strength without a unit, the largest distance, or nothing, where the noise of the
-//! points decides. [`Options`] say of which degrees the spline is, and what becomes of the optimum of the convex problem.
+//! [`fit`] does it at once, [`Fitter`] in steps that can be stopped, and again and again for a slider. What is wanted
+//! is an [`Ask`]: a price for each jump, a strength without a unit, the largest distance, or nothing, where the noise
+//! of the points decides. [`Options`] say of which degrees the spline is, and what becomes of the optimum of the convex
+//! problem.
 //!
 //! ```
 //! use expline::fit::{Ask, Options, fit};

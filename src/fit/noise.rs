@@ -6,38 +6,39 @@ use super::samples::Samples;
 use crate::numerics::order::{median, sort_numbers};
 use crate::numerics::{Point, Vector};
 
-/// Fourth, sixth and eighth differences, each from its middle on, and the sum of their squares: the fourth leaves nothing of a cubic, and of
-/// white noise √70 times its size.
+/// Fourth, sixth and eighth differences, each from its middle on, and the sum of their squares: the fourth leaves
+/// nothing of a cubic, and of white noise √70 times its size.
 const DIFFERENCES: [(&[f64], f64); 3] = [
     (&[6.0, -4.0, 1.0], 70.0),
     (&[20.0, -15.0, 6.0, -1.0], 924.0),
     (&[70.0, -56.0, 28.0, -8.0, 1.0], 12870.0),
 ];
-/// Where higher differences find such a part of the noise that lower ones do, those saw the shape: of white noise all find the same, this
-/// much less in one of a hundred lists of a dozen points.
+/// Where higher differences find such a part of the noise that lower ones do, those saw the shape: of white noise all
+/// find the same, this much less in one of a hundred lists of a dozen points.
 const LESS: f64 = 0.5;
-/// What is such a part of the drawing may be noise all the same: nearer to few points a curve has to bend for each of them.
+/// What is such a part of the drawing may be noise all the same: nearer to few points a curve has to bend for each of
+/// them.
 const FAINT: f64 = 1e-3;
 /// The median of |N(0, 1)|.
 const MEDIAN: f64 = 0.674_489_750_196_081_7;
 /// Half the length of the chord that tells which way is across.
 const REACH: usize = 5;
-/// The step that closes a contour is another one than those beside it where the difference is such a part of a step and so many
-/// standard deviations of the noise, which moves it by 2.2 of them.
+/// The step that closes a contour is another one than those beside it where the difference is such a part of a step and
+/// so many standard deviations of the noise, which moves it by 2.2 of them.
 const OTHER: f64 = 0.1;
 const SCATTERED: f64 = 5.0;
 /// Spacing is looked at over a part of all points, and over so many of them at most.
 const STRETCH: usize = 50;
 const LONGEST: usize = 40;
-/// How much more points scatter along the curve than across it where they are even, by chance, and by how much more that may
-/// be where stretches are few.
+/// How much more points scatter along the curve than across it where they are even, by chance, and by how much more
+/// that may be where stretches are few.
 const ALIKE: f64 = 1.3;
 const BY_CHANCE: f64 = 2.0;
 /// What a step may be another one by, and what noise hides that in, as parts of a step.
 const SLACK: f64 = 0.02;
 const HIDING: f64 = 0.2;
-/// By which part the lengths of stretches may differ from one quartile to the other, and by how many standard deviations of the noise:
-/// the noise of both ends makes it 1.9 of them, and chance half as much again.
+/// By which part the lengths of stretches may differ from one quartile to the other, and by how many standard
+/// deviations of the noise: the noise of both ends makes it 1.9 of them, and chance half as much again.
 const UNSTEADY: f64 = 0.35;
 const BY_NOISE: f64 = 2.9;
 /// What is so many steps long is no step but a jump, which no point says anything about.
@@ -49,8 +50,8 @@ const BESIDE: usize = 2;
 /// So many points tell about their noise, and fewer than so many may be vertices of a polygon instead.
 const LEAST: usize = 9;
 const VERTICES: usize = 64;
-/// Noise that is such a part of the drawing leaves none: of a closed one, and of open ones of fewer points than so many. Differences of few
-/// points see corners, narrow bends and steps of all lengths as noise.
+/// Noise that is such a part of the drawing leaves none: of a closed one, and of open ones of fewer points than so
+/// many. Differences of few points see corners, narrow bends and steps of all lengths as noise.
 const SHAPELESS: f64 = 0.14;
 const OPEN: [(usize, f64); 2] = [(12, 0.03), (32, 0.06)];
 /// Cosines that are no farther apart are of one angle.
@@ -61,13 +62,13 @@ const ONWARD: usize = 3;
 const ENOUGH: usize = 20_000;
 
 /// The standard deviation of the noise across the curve, in the unit of the samples, from the median size of fourth
-/// differences: corners and outliers are too few to move a median. Of fewer than 64 points sixth and eighth ones are looked at as well, for
-/// a curve may bend much from one to the next.
+/// differences: corners and outliers are too few to move a median. Of fewer than 64 points sixth and eighth ones are
+/// looked at as well, for a curve may bend much from one to the next.
 ///
-/// Clean points give a number far below their spacing. Fewer than nine points give 0, and so do the vertices of a polygon: where half
-/// of at most 500 turn by one angle of more than 50° (from 64 on, where that is no staircase), and few points that would be off by much
-/// of their box: fewer than 64 of a closed curve by a seventh, fewer than 32 of an open one by a sixteenth, fewer than 12 by a
-/// thirtieth. O(M log M).
+/// Clean points give a number far below their spacing. Fewer than nine points give 0, and so do the vertices of a
+/// polygon: where half of at most 500 turn by one angle of more than 50° (from 64 on, where that is no staircase), and
+/// few points that would be off by much of their box: fewer than 64 of a closed curve by a seventh, fewer than 32 of an
+/// open one by a sixteenth, fewer than 12 by a thirtieth. O(M log M).
 ///
 /// # Accuracy
 ///
@@ -102,7 +103,8 @@ pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> boo
         && (across < HIDING * median || !adds_up(samples, across))
 }
 
-/// Whether points are missing somewhere. Medians do not show that, and a hand that hurries takes longer steps one by one.
+/// Whether points are missing somewhere. Medians do not show that, and a hand that hurries takes longer steps one by
+/// one.
 fn has_gaps(steps: &[f64], noise: f64) -> bool {
     steps.windows(2 * BESIDE + 1).any(|around| {
         let beside = (0..around.len()).filter(|&m| m != BESIDE).fold(0.0, |most, m| around[m].max(most));
@@ -110,8 +112,9 @@ fn has_gaps(steps: &[f64], noise: f64) -> bool {
     })
 }
 
-/// Whether points are about as far apart nearly everywhere: between the quartiles of the lengths of stretches there is little but noise.
-/// What changes slowly no difference of neighbours shows; a hand that draws is slow where it begins, ends and turns.
+/// Whether points are about as far apart nearly everywhere: between the quartiles of the lengths of stretches there is
+/// little but noise. What changes slowly no difference of neighbours shows; a hand that draws is slow where it begins,
+/// ends and turns.
 pub(super) fn is_steady(samples: &Samples, noise: f64) -> bool {
     let (points, count) = (&samples.points, samples.points.len());
     let stretch = stretch(count);
@@ -123,7 +126,8 @@ pub(super) fn is_steady(samples: &Samples, noise: f64) -> bool {
     high - low <= UNSTEADY * middle + BY_NOISE * noise
 }
 
-/// Whether spacing changes by more than noise, over stretches that are long enough for what it does by chance to be seen in it.
+/// Whether spacing changes by more than noise, over stretches that are long enough for what it does by chance to be
+/// seen in it.
 fn adds_up(samples: &Samples, noise: f64) -> bool {
     let count = samples.points.len();
     let stretch = stretch(count);
@@ -136,8 +140,8 @@ fn stretch(count: usize) -> usize {
     (count / STRETCH).clamp(1, LONGEST)
 }
 
-/// The standard deviation along the curve that explains how far points are off the middle of those a stretch away on either
-/// side, if they are even: by the median size, as noise is.
+/// The standard deviation along the curve that explains how far points are off the middle of those a stretch away on
+/// either side, if they are even: by the median size, as noise is.
 fn over(samples: &Samples, stretch: usize) -> f64 {
     let (points, count) = (&samples.points, samples.points.len());
     let centers = if samples.closed { 0..count } else { stretch..count - stretch };
@@ -187,8 +191,8 @@ fn levels_by(samples: &Samples, (weights, squares): (&[f64], f64)) -> [f64; 2] {
     })
 }
 
-/// Whether at half of the points the way turns sharply by the same angle: that is drawn, and no noise. Of many points the right angles of a
-/// staircase, left and right by turns, are a slope on a grid.
+/// Whether at half of the points the way turns sharply by the same angle: that is drawn, and no noise. Of many points
+/// the right angles of a staircase, left and right by turns, are a slope on a grid.
 pub(super) fn turn_alike(samples: &Samples) -> bool {
     let steps = steps(samples);
     let count = steps.len() - usize::from(!samples.closed);
@@ -235,8 +239,8 @@ fn parts(points: &[Point], closed: bool, m: usize, weights: &[f64]) -> [f64; 2] 
     }
 }
 
-/// A weight for every point, one but for those far off the middle of their eight neighbours, and the points with those as near
-/// as they may be: however little it counts, the square of a distance may be worth knots.
+/// A weight for every point, one but for those far off the middle of their eight neighbours, and the points with those
+/// as near as they may be: however little it counts, the square of a distance may be worth knots.
 ///
 /// Far is six standard deviations and as many steps as the neighbours themselves are away from that middle: corners
 /// are not far. O(M).

@@ -7,25 +7,27 @@ use crate::limits::{LARGEST_COORDINATE, LARGEST_WEIGHT, LEAST_WEIGHT, check};
 
 /// What the fit is asked for.
 ///
-/// But for λ and a mean square, the curve also keeps to long straight sides of which the points are only the ends: where a step is more
-/// than four times as long as most of the twelve around it, further points are put on it. For a smoothing that is so unless parameters, a
-/// parametrisation or weights are given or [`Options::robust`] is set; with that, none are put where points are far off all others.
-/// Distances are those of the given points.
+/// But for λ and a mean square, the curve also keeps to long straight sides of which the points are only the ends:
+/// where a step is more than four times as long as most of the twelve around it, further points are put on it. For a
+/// smoothing that is so unless parameters, a parametrisation or weights are given or [`Options::robust`] is set; with
+/// that, none are put where points are far off all others. Distances are those of the given points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Ask {
     /// The minimiser of the sum of squares and λ times the jumps, one λ per degree, in the unit of the points.
     Lambda(Vec<f64>),
     /// The same with λ = size·(ℓ/2π)^(degree + 1), ℓ = 2·(M/2)^s points, for s in [0, 1]: the same drawing at another
-    /// size, turned, or with more points, is smoothed alike. The size is the diameter of the smallest circle around the points.
+    /// size, turned, or with more points, is smoothed alike. The size is the diameter of the smallest circle around the
+    /// points.
     Smoothing(f64),
-    /// The fewest knots with which no point is farther from the curve. The curve keeps to the way of the points, too: as a rule it is
-    /// no farther from it than this and half of their distance from one another. Below the noise that is a polyline with the
-    /// fewest vertices, rounded off where corners may not be. A polygon by its vertices is kept to along its sides.
+    /// The fewest knots with which no point is farther from the curve. The curve keeps to the way of the points, too:
+    /// as a rule it is no farther from it than this and half of their distance from one another. Below the noise that
+    /// is a polyline with the fewest vertices, rounded off where corners may not be. A polygon by its vertices is kept
+    /// to along its sides.
     Tolerance(f64),
     /// The fewest simple knots with which the mean square of the points' distances, at their parameters, is not larger.
     MeanSquare(f64),
-    /// The fewest knots that explain the points, up to their noise; where these tell nothing about it (see [`noise`](super::noise())),
-    /// those that lead through them.
+    /// The fewest knots that explain the points, up to their noise; where these tell nothing about it (see
+    /// [`noise`](super::noise())), those that lead through them.
     #[default]
     Noise,
 }
@@ -33,8 +35,8 @@ pub enum Ask {
 /// What is done after the convex problem is solved; nothing by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Finish {
-    /// Goes to an extreme point of the set of optima: no knots that others can stand for. It changes neither the curve at
-    /// the points nor the objective; on a grid that is not finer than the points the optimum is one already.
+    /// Goes to an extreme point of the set of optima: no knots that others can stand for. It changes neither the curve
+    /// at the points nor the objective; on a grid that is not finer than the points the optimum is one already.
     pub extreme: bool,
     /// Joins neighbouring knots of the grid that stand for one knot in between.
     pub merge: bool,
@@ -49,8 +51,8 @@ pub struct Finish {
 /// How to fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// One degree, or two ascending ones for the sum of two splines; 1 to 5. Where fewest knots are asked for the last one
-    /// counts alone. Curves of degree 4 and 5 come as cubics, see [`Fit::deviation`](super::Fit::deviation).
+    /// One degree, or two ascending ones for the sum of two splines; 1 to 5. Where fewest knots are asked for the last
+    /// one counts alone. Curves of degree 4 and 5 come as cubics, see [`Fit::deviation`](super::Fit::deviation).
     pub degrees: Vec<usize>,
     /// Whether the curve is closed; `None` where ends that are close belong together.
     pub closed: Option<bool>,
@@ -62,8 +64,9 @@ pub struct Options {
     pub period: Option<f64>,
     /// Weights, one per point; empty for 1 each.
     pub weights: Vec<f64>,
-    /// Steps of the grid that knots may be on, for [`Ask::Lambda`] and [`Ask::Smoothing`]; `None` chooses (the number of points, at
-    /// most 5000 for degree 1 and 2000 above). Where every λ is 0, more steps than there are points are as good as none said.
+    /// Steps of the grid that knots may be on, for [`Ask::Lambda`] and [`Ask::Smoothing`]; `None` chooses (the number
+    /// of points, at most 5000 for degree 1 and 2000 above). Where every λ is 0, more steps than there are points are
+    /// as good as none said.
     pub grid_size: Option<usize>,
     /// How the size of a jump is measured, for [`Ask::Lambda`] and [`Ask::Smoothing`].
     pub norm: Norm,
@@ -71,8 +74,8 @@ pub struct Options {
     pub mix: f64,
     /// Whether corners are kept where fewest knots are asked for.
     pub corners: bool,
-    /// By how much a corner turns at least, in radians, where fewest knots are asked for: at slighter ones the curve is smooth,
-    /// for a knot or two more. 0 to π; 0, the default, keeps every corner that spares a knot.
+    /// By how much a corner turns at least, in radians, where fewest knots are asked for: at slighter ones the curve is
+    /// smooth, for a knot or two more. 0 to π; 0, the default, keeps every corner that spares a knot.
     pub least_turn: f64,
     /// Whether points far off the curve are to count for little.
     pub robust: bool,
@@ -80,8 +83,8 @@ pub struct Options {
     pub noise: Option<f64>,
     /// The relative duality gap to reach, for [`Ask::Lambda`] and [`Ask::Smoothing`].
     pub gap: f64,
-    /// The most iterations: of the solver for [`Ask::Lambda`] and [`Ask::Smoothing`], where `None` allows 400, of the search for the fewest
-    /// knots otherwise, where `None` allows as many as it takes.
+    /// The most iterations: of the solver for [`Ask::Lambda`] and [`Ask::Smoothing`], where `None` allows 400, of the
+    /// search for the fewest knots otherwise, where `None` allows as many as it takes.
     pub most_iterations: Option<usize>,
     /// What is done after the convex problem of [`Ask::Lambda`] and [`Ask::Smoothing`] is solved.
     pub finish: Finish,

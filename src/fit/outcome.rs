@@ -17,8 +17,8 @@ pub enum FitStatus {
     Converged,
     /// The limit on iterations was reached first.
     MostIterations,
-    /// No step helped any more, though the gap or the tolerance was not reached; or knots that were joined or slid off the
-    /// grid are farther than the gap from the optimum over all knots.
+    /// No step helped any more, though the gap or the tolerance was not reached; or knots that were joined or slid off
+    /// the grid are farther than the gap from the optimum over all knots.
     Stalled,
 }
 
@@ -62,34 +62,36 @@ pub struct Changed {
 /// A fitted curve and what is known of it.
 #[derive(Clone, Debug)]
 pub struct Fit {
-    /// The curve: exactly the spline for degrees up to 3; splines of degree 4 and 5 are cut into cubics, up to 64 a piece, until
-    /// they are within 1e-9 of the drawing's size.
+    /// The curve: exactly the spline for degrees up to 3; splines of degree 4 and 5 are cut into cubics, up to 64 a
+    /// piece, until they are within 1e-9 of the drawing's size.
     pub curve: HermiteCurve,
-    /// How far the curve may be from the spline: 0 for degrees up to 3, above that proved by the fourth derivative (D 13.7);
-    /// and how far it was moved back to the largest coordinate, where it went beyond.
+    /// How far the curve may be from the spline: 0 for degrees up to 3, above that proved by the fourth derivative
+    /// (D 13.7); and how far it was moved back to the largest coordinate, where it went beyond.
     pub deviation: f64,
-    /// The splines whose sum the curve is; the last one carries the place on the plane, others are about the origin. Of a closed
-    /// pair each begins at its own first knot: its parameter is less by the `t` of the first of `knots` with its degree.
+    /// The splines whose sum the curve is; the last one carries the place on the plane, others are about the origin. Of
+    /// a closed pair each begins at its own first knot: its parameter is less by the `t` of the first of `knots` with
+    /// its degree.
     pub parts: Vec<Part>,
     /// The knots, by parameter.
     pub knots: Vec<Knot>,
-    /// The parameter of each given point's place on the curve: nowhere around it is nearer, but for a step where a gap of 1e-3 or more
-    /// was enough; where the curve comes back to itself another part may be.
+    /// The parameter of each given point's place on the curve: nowhere around it is nearer, but for a step where a gap
+    /// of 1e-3 or more was enough; where the curve comes back to itself another part may be.
     pub parameters: Vec<f64>,
     /// Sum of squares + λ·jumps; infinite where no λ was involved, as are the gap and the regulariser.
     pub objective: f64,
-    /// The weighted sum of squares at the points' parameters: of the optimum, where one was made shorter afterwards. Points put on
-    /// long sides are among them where λ was involved.
+    /// The weighted sum of squares at the points' parameters: of the optimum, where one was made shorter afterwards.
+    /// Points put on long sides are among them where λ was involved.
     pub data_term: f64,
     /// λ·jumps.
     pub regularizer: f64,
-    /// The relative duality gap that was certified: of the optimum, before it was made shorter; where knots only slid off
-    /// the grid, to the problem without one.
+    /// The relative duality gap that was certified: of the optimum, before it was made shorter; where knots only slid
+    /// off the grid, to the problem without one.
     pub gap: f64,
     /// The curve's own sum of squares at the parameters that points were fitted at, by the sum of weights; the places
     /// at `parameters` may be nearer, of which `rms` tells.
     pub qfe: f64,
-    /// No given point is farther from the curve than this, four roundings of the largest coordinate and two of the parameter included.
+    /// No given point is farther from the curve than this, four roundings of the largest coordinate and two of the
+    /// parameter included.
     pub max_error: f64,
     /// Root of the weighted mean square of the distances between the points and their places.
     pub rms: f64,
@@ -122,8 +124,8 @@ pub(super) struct Joints {
 }
 
 impl Joints {
-    /// Puts joints back that are beyond the largest coordinate by no more than `slack`; answers by how much the farthest
-    /// was: a curve that is as near to points at the limit may be beyond it.
+    /// Puts joints back that are beyond the largest coordinate by no more than `slack`; answers by how much the
+    /// farthest was: a curve that is as near to points at the limit may be beyond it.
     pub(super) fn bound(&mut self, slack: f64) -> f64 {
         let mut farthest = 0.0_f64;
         for v in self.points.iter_mut().flat_map(Point::iter_mut) {
@@ -136,8 +138,8 @@ impl Joints {
         farthest
     }
 
-    /// How far the curve goes while its parameter is rounded twice: places on it are that of the parameter's rounding, and so are the ends of
-    /// its pieces.
+    /// How far the curve goes while its parameter is rounded twice: places on it are that of the parameter's rounding,
+    /// and so are the ends of its pieces.
     pub(super) fn slip(&self) -> f64 {
         let speeds = self.leaving.iter().zip(&self.arriving).map(|(out, into)| out.norm() + into.norm());
         f64::EPSILON * self.at.iter().zip(speeds).map(|(t, speed)| t * speed).fold(0.0, larger)
@@ -199,7 +201,8 @@ impl Spline {
         let spans = self.space.spans.len();
         let mut joints = Joints::default();
         let mut before: Option<Vector> = None;
-        // One knot or none makes a closed curve of one piece; it is cut in two, for a curve has two points. An open piece has its ends.
+        // One knot or none makes a closed curve of one piece; it is cut in two, for a curve has two points. An open
+        // piece has its ends.
         let cuts = if closed && spans == 1 { cuts.max(2) } else { cuts };
         for (s, (span, piece)) in self.space.spans.iter().zip(self.pieces()).enumerate() {
             let at = |u: f64, order: usize| {

@@ -35,8 +35,8 @@ pub(super) struct Outline {
     pub(super) cornered: bool,
 }
 
-/// The samples with points along their sides as well, as far apart as those around; `None` where no step is far longer than those around,
-/// and none is a side between corners, for which it is said how far `off` points may be. O(M).
+/// The samples with points along their sides as well, as far apart as those around; `None` where no step is far longer
+/// than those around, and none is a side between corners, for which it is said how far `off` points may be. O(M).
 ///
 /// # Errors
 ///
@@ -72,8 +72,9 @@ pub(super) fn filled(samples: &Samples, noise: f64, off: Option<f64>) -> Result<
     Ok(Some(Outline { samples: Samples { points, weights, ..samples.clone() }, own, cornered }))
 }
 
-/// Parameters, evenly from each point to the next, where others were put between those with these numbers; the last side of a closed
-/// outline ends at `end`. One step is 1 again on average: answers how many times as many of them there are.
+/// Parameters, evenly from each point to the next, where others were put between those with these numbers; the last
+/// side of a closed outline ends at `end`. One step is 1 again on average: answers how many times as many of them there
+/// are.
 pub(super) fn between(parameters: &mut Vec<f64>, end: &mut f64, own: &[u32], count: usize) -> f64 {
     let last = own.len() - 1;
     let more = count as f64 / own.len() as f64;
@@ -119,8 +120,8 @@ fn pieces(steps: &[Vector], closed: bool, noise: f64) -> Vec<usize> {
     pieces
 }
 
-/// The sides between corners where most steps are such: where it is not points being so far `off` that makes the way turn sharply. An
-/// open list has corners for ends, and a side may have points on it.
+/// The sides between corners where most steps are such: where it is not points being so far `off` that makes the way
+/// turn sharply. An open list has corners for ends, and a side may have points on it.
 fn between_corners(steps: &[Vector], closed: bool, off: f64) -> Vec<usize> {
     let long: Vec<usize> = (0..steps.len()).filter(|&m| steps[m].norm() > CLEAR * off).collect();
     let count = long.len();

@@ -7,8 +7,8 @@ use crate::numerics::order::median;
 /// How parameters are given to points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Parametrisation {
-    /// By index where λ is asked for, as the papers do, and where points follow one another evenly; by smoothed arc length
-    /// otherwise.
+    /// By index where λ is asked for, as the papers do, and where points follow one another evenly; by smoothed arc
+    /// length otherwise.
     #[default]
     Auto,
     /// t = 0, 1, 2 …: right where points follow one another evenly.

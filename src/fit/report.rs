@@ -18,7 +18,8 @@ const CLOSE: f64 = 1e-9;
 /// A distance of so many standard deviations is no noise.
 const OUTLYING: f64 = 5.0;
 
-/// Bytes that a piece and each of its cubics take on the way to what the caller sees: polynomials and knots; joints, curve, part.
+/// Bytes that a piece and each of its cubics take on the way to what the caller sees: polynomials and knots; joints,
+/// curve, part.
 const PER_PIECE: usize = 250;
 const PER_CUBIC: usize = 300;
 
@@ -29,7 +30,8 @@ pub(super) struct Frame<'a> {
     pub(super) noise: f64,
     /// Whether outliers are looked for.
     pub(super) robust: bool,
-    /// The numbers that the samples have among the points that were fitted, where others were put between them; else empty.
+    /// The numbers that the samples have among the points that were fitted, where others were put between them; else
+    /// empty.
     pub(super) own: &'a [u32],
     /// Whether one step towards the foot of every point will do: that overestimates distances a little.
     pub(super) hurried: bool,
@@ -46,8 +48,9 @@ pub(super) fn size_of(points: &[Vector]) -> f64 {
     (high - low).max()
 }
 
-/// What the coordinates of a curve are off by where it lies: joints are rounded as they are put there, and values between
-/// them in products and sums of joints, two roundings of each coordinate in all. Points that repeat others are where those are.
+/// What the coordinates of a curve are off by where it lies: joints are rounded as they are put there, and values
+/// between them in products and sums of joints, two roundings of each coordinate in all. Points that repeat others are
+/// where those are.
 pub(super) fn rounding(samples: &Samples) -> f64 {
     const ROUNDINGS: f64 = 4.0;
     ROUNDINGS * f64::EPSILON * (samples.center.amax() + samples.scale) + samples.moved * samples.scale
@@ -64,7 +67,8 @@ pub(super) fn weight(located: &Located) -> f64 {
     if located.weights.is_empty() { located.points.len() as f64 } else { located.weights.iter().sum() }
 }
 
-/// The curve and its distances from the points; `squares` is their sum at the points' parameters where that is known, and what only one of the ways to fit knows is left open.
+/// The curve and its distances from the points; `squares` is their sum at the points' parameters where that is known,
+/// and what only one of the ways to fit knows is left open.
 pub(super) fn fit(
     frame: &Frame<'_>,
     spline: &Spline,

@@ -10,7 +10,8 @@ pub const MOST_SAMPLES: usize = 500_000;
 pub(super) const PER_POINT: usize = 160;
 /// Ends closer than this part of the diagonal belong together.
 const CLOSE: f64 = 0.03;
-/// Points no farther apart than so many roundings of a drawing's size, and so many of where it lies, were computed for one.
+/// Points no farther apart than so many roundings of a drawing's size, and so many of where it lies, were computed for
+/// one.
 const OF_SIZE: f64 = 128.0;
 const OF_PLACE: f64 = 4.0;
 
@@ -42,8 +43,8 @@ impl Samples {
     /// Checks the points and makes them ready. `closed` says whether the curve is; `None` finds out: ends closer than
     /// 3 % of the diagonal belong together. `keep` leaves repetitions alone, for parameters that count them.
     ///
-    /// A point that equals the one before, up to rounding, is one with it and weighs more; so is a last point that equals the
-    /// first of a closed curve.
+    /// A point that equals the one before, up to rounding, is one with it and weighs more; so is a last point that
+    /// equals the first of a closed curve.
     ///
     /// # Errors
     ///

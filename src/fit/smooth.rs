@@ -6,11 +6,11 @@ use super::samples::Samples;
 /// Of so many points at least that is told, and more tell where their corners are.
 const LEAST: usize = 9;
 const FEWER: usize = 64;
-/// How many of a hundred points turn more, or less, than both of their neighbours, at most: where noise is seen in turns three of four do, and at
-/// least every other one of a polygon.
+/// How many of a hundred points turn more, or less, than both of their neighbours, at most: where noise is seen in
+/// turns three of four do, and at least every other one of a polygon.
 const CALM: usize = 45;
-/// A corner turns by what half a point does in the mean more than the points do where it is, and by so many times what is to be expected from those
-/// beside it: by more the fewer they are, for these say less.
+/// A corner turns by what half a point does in the mean more than the points do where it is, and by so many times what
+/// is to be expected from those beside it: by more the fewer they are, for these say less.
 const SEEN: f64 = 0.5;
 const SUDDEN: f64 = 2.0;
 const UNSURE: f64 = 20.0;
@@ -19,8 +19,8 @@ const BETWEEN: usize = 16;
 /// Differences that are such a part of the largest turn are rounding.
 const EQUAL: f64 = 1e-6;
 
-/// Whether few points are those of a closed curve without corners: turns seldom grow and shrink in turn, towards the tip of a narrow bend they
-/// grow from one to the next, and a corner comes suddenly from both sides. O(M).
+/// Whether few points are those of a closed curve without corners: turns seldom grow and shrink in turn, towards the
+/// tip of a narrow bend they grow from one to the next, and a corner comes suddenly from both sides. O(M).
 #[inline(never)]
 pub(super) fn is_smooth(samples: &Samples) -> bool {
     let count = samples.points.len();

@@ -1,8 +1,9 @@
 //! How far a curve can be from the optimum: a lower bound of the problem, found without the solver.
 //!
 //! Any vector v over the samples that vanishes on polynomials of the components' degrees is a dual vector once it is
-//! scaled so that its dual curves stay within the unit disc. Here v comes from the residuals of the curve. Everything is
-//! computed anew: the residuals by de Boor's rule, the dual curves by plain integration in 106 bits. (D 12.4), (D 12.8)
+//! scaled so that its dual curves stay within the unit disc. Here v comes from the residuals of the curve. Everything
+//! is computed anew: the residuals by de Boor's rule, the dual curves by plain integration in 106 bits. (D 12.4),
+//! (D 12.8)
 
 mod integral;
 mod refinement;
@@ -33,8 +34,8 @@ pub struct Certificate {
 
 /// Bounds the objective of a solution from below, and so its distance from the optimum.
 ///
-/// The bound holds for knots at the places of the grids, up to a relative 1e-13 of rounding. O(M + N), and O(K³) for two
-/// components of K knots.
+/// The bound holds for knots at the places of the grids, up to a relative 1e-13 of rounding. O(M + N), and O(K³) for
+/// two components of K knots.
 ///
 /// # Errors
 ///

@@ -30,8 +30,8 @@ pub fn lambda_max(problem: &Problem) -> Result<Vec<f64>> {
 }
 
 /// λ for a length of detail ℓ, counted in points: what is shorter than about ℓ points is smoothed away. It means the
-/// same for every degree, size and density of points: λ = D w̄ δᵃ (ℓ/2π)^{a+1} with the diameter D of the smallest circle
-/// around the points, their mean weight w̄ and distance δ in the parameter. (D 12.2)
+/// same for every degree, size and density of points: λ = D w̄ δᵃ (ℓ/2π)^{a+1} with the diameter D of the smallest
+/// circle around the points, their mean weight w̄ and distance δ in the parameter. (D 12.2)
 pub fn lambda_of_detail(problem: &Problem, degree: usize, detail: f64) -> f64 {
     let mut lambda = unit_lambda(problem, degree);
     for _ in 0..=degree {

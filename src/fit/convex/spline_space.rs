@@ -33,7 +33,8 @@ impl KnotSpace {
     /// # Errors
     ///
     /// `OutOfRange` for a degree not in 1 … 5, `NotFinite`, and `Degenerate` for a domain without length, for knots
-    /// that fall, that lie outside \[start, end) (closed) or (start, end) (open), or that stand more than `degree` times.
+    /// that fall, that lie outside \[start, end) (closed) or (start, end) (open), or that stand more than `degree`
+    /// times.
     pub fn new(degree: usize, knots: &[f64], start: f64, end: f64, closed: bool) -> Result<Self> {
         limits::check("degree", None, degree as f64, 1.0, MOST_DEGREE as f64)?;
         check_knots(degree, knots, start, end, closed)?;
@@ -133,8 +134,8 @@ impl KnotSpace {
         self.locate_after(0, t)
     }
 
-    /// The same, which is known at once where it is interval `before` or the one after it: whoever walks along the knots
-    /// searches for none.
+    /// The same, which is known at once where it is interval `before` or the one after it: whoever walks along the
+    /// knots searches for none.
     pub(crate) fn locate_after(&self, before: usize, t: f64) -> (usize, f64) {
         let mut t = t;
         if self.closed {
@@ -193,7 +194,8 @@ impl KnotSpace {
     }
 
     /// The jump at knot k of the derivative of that order, as weights of the basis functions first … first + order + 1
-    /// (answer: first, weights). A knot that stands m times, k the first of them, has jumps from order degree + 1 − m on.
+    /// (answer: first, weights). A knot that stands m times, k the first of them, has jumps from order degree + 1 − m
+    /// on.
     pub fn jump_weights(&self, k: usize, order: usize) -> (usize, [f64; ROOM]) {
         let place = self.place(k);
         // One turn more on a circle, where the first function may be the last one of the turn before.

@@ -29,11 +29,11 @@ const CLICKS: core::ops::Range<usize> = 7..16;
 pub(super) enum Purpose {
     /// λ, or a mean square at the parameters: the papers' own, the index.
     Papers,
-    /// The optimum for a smoothing: the index where points follow one another evenly, be it slowly here and fast there. What a hand
-    /// draws slowly then turns smoothly.
+    /// The optimum for a smoothing: the index where points follow one another evenly, be it slowly here and fast there.
+    /// What a hand draws slowly then turns smoothly.
     Optimum,
-    /// Few knots by distances: the index only where points are equally far apart, as every change of the speed asks for knots. Sides
-    /// between corners are looked for where it is said how far points may be off.
+    /// Few knots by distances: the index only where points are equally far apart, as every change of the speed asks for
+    /// knots. Sides between corners are looked for where it is said how far points may be off.
     Search(Option<f64>),
     /// The same for few points of an open way, which show their corners themselves.
     Clicks,
@@ -46,9 +46,9 @@ impl Fitter {
     ///
     /// Where a number is refused, what was asked before stays as it was.
     ///
-    /// λ not from 0 to 1e12 or not one per degree (all 0 for two), smoothing not from 0 to 1, a tolerance that is negative.
-    /// For λ and smoothing, `TooFewPoints` where an open curve has no more points than its highest degree; points that
-    /// repeat their neighbour are one. A tolerance, and the noise, make do with what [`Fitter::new`] takes.
+    /// λ not from 0 to 1e12 or not one per degree (all 0 for two), smoothing not from 0 to 1, a tolerance that is
+    /// negative. For λ and smoothing, `TooFewPoints` where an open curve has no more points than its highest degree;
+    /// points that repeat their neighbour are one. A tolerance, and the noise, make do with what [`Fitter::new`] takes.
     pub fn ask(&mut self, ask: Ask) -> Result<()> {
         match &ask {
             Ask::Lambda(lambdas) => {
@@ -129,8 +129,8 @@ impl Fitter {
         few && plain && curved && *corners && weights.is_empty() && parameters.is_empty()
     }
 
-    /// What is less than a ten-thousandth of the drawing is not worth a knot: of its size without points that are far off all
-    /// others, for beside these all else is little.
+    /// What is less than a ten-thousandth of the drawing is not worth a knot: of its size without points that are far
+    /// off all others, for beside these all else is little.
     fn least_noise(&self) -> f64 {
         if self.level >= LEAST_NOISE {
             return LEAST_NOISE;
@@ -139,7 +139,8 @@ impl Fitter {
         LEAST_NOISE * report::size_of(&near) / report::size_of(&self.samples.points)
     }
 
-    /// Ends the run before, and gives the points their parameters: to be called once nothing that is asked can be refused any more.
+    /// Ends the run before, and gives the points their parameters: to be called once nothing that is asked can be
+    /// refused any more.
     fn locate(&mut self, purpose: Purpose, ask: &Ask) -> Result<()> {
         match core::mem::replace(&mut self.run, Run::Idle) {
             Run::Convex(solver) => self.warm = Some(solver),
@@ -177,8 +178,8 @@ impl Fitter {
         Ok(())
     }
 
-    /// The points with others along their sides, where there are such. The optimum for a smoothing is that of the points where something is
-    /// said of each of them, and to points that are far off no sides lead.
+    /// The points with others along their sides, where there are such. The optimum for a smoothing is that of the
+    /// points where something is said of each of them, and to points that are far off no sides lead.
     fn outline(&self, purpose: Purpose) -> Result<Option<Outline>> {
         let Options { parametrisation, robust, weights, parameters, corners, .. } = &self.options;
         let plain = *parametrisation == Parametrisation::Auto && !robust;
@@ -195,8 +196,8 @@ impl Fitter {
         filled(&self.samples, self.noise, off)
     }
 
-    /// The weight of each point, or none at all; where points that are far off are to count for little, also where those would count. None of
-    /// an outline is: its sharp corners would look so.
+    /// The weight of each point, or none at all; where points that are far off are to count for little, also where
+    /// those would count. None of an outline is: its sharp corners would look so.
     fn weighed(&self, samples: &Samples, is_outline: bool) -> (Vec<f64>, Option<Vec<Point>>) {
         let given = if samples.is_weighted() { samples.weights.clone() } else { Vec::new() };
         if !self.options.robust || is_outline {
@@ -273,8 +274,8 @@ impl Fitter {
         let root = libm::log(lambda / diameter) / (degree + 1) as f64;
         let detail = libm::exp(root) * core::f64::consts::TAU;
         let place = (libm::log(0.5 * detail) / libm::log(0.5 * count)).clamp(0.0, 1.0);
-        // What lies beyond an end of the slider, and pairs in another ratio, are at no place: going back tells, but for the
-        // rounding of logarithms and powers.
+        // What lies beyond an end of the slider, and pairs in another ratio, are at no place: going back tells, but for
+        // the rounding of logarithms and powers.
         let back = self.lambdas_for(place, diameter);
         let same = |(own, back): (&f64, &f64)| (own - back).abs() <= 1e-9 * own;
         self.lambdas.iter().zip(&back).all(same).then_some(place)

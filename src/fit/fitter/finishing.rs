@@ -73,8 +73,8 @@ impl Finishing {
         Stage::Done
     }
 
-    /// Goes on with what was found beyond the grid, if that is something else: it is certified there then, and stands as
-    /// that gap says.
+    /// Goes on with what was found beyond the grid, if that is something else: it is certified there then, and stands
+    /// as that gap says.
     fn leave_grid(&mut self, found: Gridless, asked: f64) {
         if found.slides == 0 && found.solution.knot_count() == self.solution.knot_count() {
             return;

@@ -43,7 +43,8 @@ impl Fitter {
 
     /// Other λ for the last run's problem.
     fn solve_on(&mut self, mut solver: Box<Solver>, lambdas: &[f64]) -> Result<()> {
-        // What is to be seen at once begins where the last curve ended; what is to stay is the same whatever came before.
+        // What is to be seen at once begins where the last curve ended; what is to stay is the same whatever came
+        // before.
         if self.options.gap >= GLIMPSE {
             solver.set_lambdas(lambdas)?;
         } else {
@@ -76,8 +77,8 @@ impl Fitter {
         }
     }
 
-    /// So many places for knots as were asked for. On a grid that is finer than the points nothing says where knots are to be that
-    /// cost nothing.
+    /// So many places for knots as were asked for. On a grid that is finer than the points nothing says where knots are
+    /// to be that cost nothing.
     fn coarse(&self) -> Option<usize> {
         self.options.grid_size.filter(|size| !(self.is_free() && *size > self.located.points.len()))
     }
@@ -133,7 +134,8 @@ impl Fitter {
         if matches!(aim, Aim::Tolerance(_)) && sharpest > 1 && self.located.points.len() <= MOST_TWICE {
             others.push(start(&self.located, 2)?);
         }
-        // Points are free to slide while smooth knots are thinned out; where they are even they are placed along the curve then.
+        // Points are free to slide while smooth knots are thinned out; where they are even they are placed along the
+        // curve then.
         let free = degree > 1 && matches!(aim, Aim::Noise(_));
         let smooth = Plan { free, ..plan(1) };
         let mut rivals = vec![Sparsest::new(self.located.copied()?, smooth, aim, self.level)];

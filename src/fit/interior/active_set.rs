@@ -36,8 +36,8 @@ impl ActiveSet {
         self.0.iter().flatten().map(|(_, jump)| *jump).collect()
     }
 
-    /// The jumps as they were found, and knots where the dual curve is too long; answers whether there are any. Where there
-    /// is no other, a jump that comes is `alone` long.
+    /// The jumps as they were found, and knots where the dual curve is too long; answers whether there are any. Where
+    /// there is no other, a jump that comes is `alone` long.
     pub(super) fn join(&mut self, jumps: &[Vector], eta: &[Vec<Vector>], closed: bool, alone: f64) -> bool {
         let (mut jumps, mut any) = (jumps.iter(), false);
         for (knots, eta) in self.0.iter_mut().zip(eta) {
@@ -64,7 +64,8 @@ impl ActiveSet {
         }
     }
 
-    /// Where jumps turn round on the way, goes as far as the first of them and takes it out. Answers whether there was one.
+    /// Where jumps turn round on the way, goes as far as the first of them and takes it out. Answers whether there was
+    /// one.
     pub(super) fn leave_first(&mut self, from: &[Vector], to: &[Vector]) -> bool {
         let vanishes = |(from, to): (&Vector, &Vector)| {
             let (here, there) = (dot(*from, *from), dot(*from, *to));

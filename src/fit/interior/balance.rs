@@ -1,8 +1,8 @@
 //! Whether the residuals of a curve are in balance, as they are at an optimum.
 //!
 //! Moving the curve by what costs nothing, constants on a circle and polynomials on a line, changes no jump, so at the
-//! optimum the weighted residuals vanish against them. Bounds assume it (D 12.4). Where rounding has taken it, the curve
-//! could be moved for less, and a bound says more than is true.
+//! optimum the weighted residuals vanish against them. Bounds assume it (D 12.4). Where rounding has taken it, the
+//! curve could be moved for less, and a bound says more than is true.
 
 use super::fixed_knots::Fixed;
 use super::iterate::ROUNDING;

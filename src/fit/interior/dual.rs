@@ -212,7 +212,8 @@ fn factor(component: &ScaledComponent) -> f64 {
     factor
 }
 
-/// From the start of an open domain, where η is zero, to the first knot: leaves η on the way and answers the state there.
+/// From the start of an open domain, where η is zero, to the first knot: leaves η on the way and answers the state
+/// there.
 fn lead_in(walk: &Walk<'_>, chosen: &[usize], eta: &mut [Vector]) -> State {
     let grid = &walk.component.grid;
     let to = chosen.first().copied().unwrap_or(grid.len());

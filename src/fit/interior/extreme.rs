@@ -1,8 +1,8 @@
 //! The sparse extreme point: of all optima one that has no two knots where one would do.
 //!
-//! Two optima differ by a curve that vanishes at all samples and whose jumps lie along those of the optimum. Such curves are
-//! the kernel of a matrix; along one of them jumps grow and shrink, residuals and objective stay, until the first jump is
-//! zero. (D 12.12)
+//! Two optima differ by a curve that vanishes at all samples and whose jumps lie along those of the optimum. Such
+//! curves are the kernel of a matrix; along one of them jumps grow and shrink, residuals and objective stay, until the
+//! first jump is zero. (D 12.12)
 
 use super::cone::{Metric, dot, norm, stretch};
 use super::fixed_knots::Fixed;
@@ -23,8 +23,8 @@ const ROUNDING: f64 = 1e-9;
 
 impl Run {
     /// The curve of [`Run::best`] after exchanges of jumps that change neither residuals nor objective: at most as many
-    /// knots are left as the samples can tell apart. On a grid that is not finer than the samples the optimum is unique, and
-    /// nothing changes. O(K) for each knot that goes. (D 12.12)
+    /// knots are left as the samples can tell apart. On a grid that is not finer than the samples the optimum is
+    /// unique, and nothing changes. O(K) for each knot that goes. (D 12.12)
     ///
     /// # Errors
     ///

@@ -10,12 +10,12 @@ use crate::fit::convex::scaled::Scaled;
 use crate::fit::convex::solution::Status;
 use crate::numerics::Vector;
 
-/// What holds coefficients that no point determines, where the least weight is the largest, and at least; it is taken back again by
-/// the refinements.
+/// What holds coefficients that no point determines, where the least weight is the largest, and at least; it is taken
+/// back again by the refinements.
 const HOLD: f64 = 1e-9;
 const LEAST_HOLD: f64 = 1e-13;
-/// How often the solution is refined, and how often at most where the gap is larger than asked for: what is well determined loses
-/// nine digits of its error each time, what weights a million times smaller say as good as none.
+/// How often the solution is refined, and how often at most where the gap is larger than asked for: what is well
+/// determined loses nine digits of its error each time, what weights a million times smaller say as good as none.
 const REFINEMENTS: usize = 4;
 const MOST_REFINEMENTS: usize = 200;
 

@@ -101,8 +101,8 @@ fn together(x: &Solution, y: &Solution) -> Result<Solution> {
     })
 }
 
-/// The optimum with knots at some places only; `None` where there are too few for a problem, or where a step has carried
-/// one onto another or out of the domain.
+/// The optimum with knots at some places only; `None` where there are too few for a problem, or where a step has
+/// carried one onto another or out of the domain.
 #[inline(never)]
 fn on_knots(problem: &Problem, knots: &[f64]) -> Result<Option<Solution>> {
     let mut small = problem.clone();

@@ -31,7 +31,8 @@ impl Run {
         Ok(())
     }
 
-    /// The knots in play of each spline and the places where its dual curve is longest; `None` where none of them is new.
+    /// The knots in play of each spline and the places where its dual curve is longest; `None` where none of them is
+    /// new.
     fn longest_places(&self) -> Option<Vec<Vec<usize>>> {
         let (longest, gap) = (self.measure.longest, self.measure.gap);
         // What the knots that are missing cost is little beside what is asked for.
@@ -54,8 +55,8 @@ impl Run {
         any.then_some(sets)
     }
 
-    /// The pairs of the knots of `reduced`: known ones as they are, new ones with the force of the dual curve, as central as
-    /// the others are in the mean.
+    /// The pairs of the knots of `reduced`: known ones as they are, new ones with the force of the dual curve, as
+    /// central as the others are in the mean.
     fn cones_of(&self, reduced: &Reduced) -> Result<Vec<Pair>> {
         let old = &self.iterate;
         let rank = old.cones.len().max(1) as f64;

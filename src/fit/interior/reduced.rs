@@ -55,8 +55,8 @@ pub(crate) struct Reduced {
 }
 
 impl Reduced {
-    /// The problem on these knots; `chosen` names places of each component's grid. `known` are elements of the same data
-    /// on other knots: what they have in common is not summed again.
+    /// The problem on these knots; `chosen` names places of each component's grid. `known` are elements of the same
+    /// data on other knots: what they have in common is not summed again.
     pub(crate) fn new(data: &Scaled, chosen: Vec<Vec<usize>>, known: &[Element]) -> Result<Self> {
         let mut parts = Vec::new();
         for (component, chosen) in data.components.iter().zip(chosen) {

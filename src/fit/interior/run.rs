@@ -26,9 +26,9 @@ const MOST_FOR_KNOTS: usize = 4;
 /// Below this share of the asked gap more iterations would tell no more.
 const LEAST_FOR_KNOTS: f64 = 1e-4;
 
-/// One run of the method, for jumps whose length is their price. Every iteration has a dual that is feasible on all places
-/// for knots once it is scaled, so that the gap bounds how far the objective is from the optimum. One iteration is
-/// O(M + N) and O(K) for the K knots in play. (D 12.4), (D 12.6).
+/// One run of the method, for jumps whose length is their price. Every iteration has a dual that is feasible on all
+/// places for knots once it is scaled, so that the gap bounds how far the objective is from the optimum. One iteration
+/// is O(M + N) and O(K) for the K knots in play. (D 12.4), (D 12.6).
 #[derive(Clone, Debug)]
 pub(crate) struct Run {
     pub(crate) data: Scaled,
@@ -196,7 +196,8 @@ impl Run {
         self.settings.gap >= GLIMPSE && self.data.components.iter().any(|component| component.degree > 1)
     }
 
-    /// Where the knots may already be told apart, finds the optimum on them: when its own gap is small, that is the end.
+    /// Where the knots may already be told apart, finds the optimum on them: when its own gap is small, that is the
+    /// end.
     fn try_to_finish(&mut self) -> Result<()> {
         if self.is_hurried() {
             return Ok(());

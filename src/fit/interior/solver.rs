@@ -1,7 +1,8 @@
 //! The solver: a run of the method, or one for each coordinate.
 //!
-//! Where jumps are measured by |x| + |y| nothing joins the coordinates: the objective is the sum of two, each with knots
-//! of its own. So each is solved for itself, as points on a line, and what comes out is one curve on all of their knots. (D 12.15)
+//! Where jumps are measured by |x| + |y| nothing joins the coordinates: the objective is the sum of two, each with
+//! knots of its own. So each is solved for itself, as points on a line, and what comes out is one curve on all of their
+//! knots. (D 12.15)
 
 use super::compress::compress;
 use super::cone::norm;
@@ -20,9 +21,9 @@ use crate::numerics::order::sort_in_place;
 
 /// Solves a [`Problem`] step by step; λ may be changed between runs, which then start warm.
 ///
-/// Every iteration has a dual that is feasible on all places for knots once it is scaled, so that [`Solver::gap`] bounds
-/// how far the objective is from the optimum. Not reaching the asked gap is a status. One iteration is O(M + N) and
-/// O(K) for the K knots in play. (D 12.4), (D 12.6).
+/// Every iteration has a dual that is feasible on all places for knots once it is scaled, so that [`Solver::gap`]
+/// bounds how far the objective is from the optimum. Not reaching the asked gap is a status. One iteration is O(M + N)
+/// and O(K) for the K knots in play. (D 12.4), (D 12.6).
 #[derive(Clone, Debug)]
 pub struct Solver {
     /// One, or one for x and one for y.
@@ -80,8 +81,8 @@ impl Solver {
     }
 
     /// Starts a new run for other λ of the components. Where the last one ended on true knots and these, or few others,
-    /// are near enough to the new optimum already, the run ends at once, after no iteration. Otherwise it is warm where the
-    /// last one came far enough: from an iterate on its way, with the knots that mattered there and at its end.
+    /// are near enough to the new optimum already, the run ends at once, after no iteration. Otherwise it is warm where
+    /// the last one came far enough: from an iterate on its way, with the knots that mattered there and at its end.
     ///
     /// # Errors
     ///
@@ -145,9 +146,9 @@ impl Solver {
         self.answer(Run::best)
     }
 
-    /// The curve of [`Solver::solution`] after exchanges of jumps that change neither residuals nor objective: at most as many
-    /// knots are left as the samples can tell apart. On a grid that is not finer than the samples the optimum is unique, and
-    /// nothing changes. O(K) for each knot that goes. (D 12.12)
+    /// The curve of [`Solver::solution`] after exchanges of jumps that change neither residuals nor objective: at most
+    /// as many knots are left as the samples can tell apart. On a grid that is not finer than the samples the optimum
+    /// is unique, and nothing changes. O(K) for each knot that goes. (D 12.12)
     ///
     /// # Errors
     ///

@@ -22,8 +22,8 @@ struct Seed {
 
 impl Run {
     /// Starts a new run for other λ of the components. Where the last one ended on true knots and these, or few others,
-    /// are near enough to the new optimum already, the run ends at once, after no iteration. Otherwise it is warm where the
-    /// last one came far enough: from an iterate on its way, with the knots that mattered there and at its end.
+    /// are near enough to the new optimum already, the run ends at once, after no iteration. Otherwise it is warm where
+    /// the last one came far enough: from an iterate on its way, with the knots that mattered there and at its end.
     pub(crate) fn set_lambdas(&mut self, lambdas: &[f64]) -> Result<()> {
         self.take_lambdas(lambdas);
         let free = lambdas.iter().all(|lambda| *lambda <= 0.0);

@@ -6,7 +6,8 @@ use super::spline::Spline;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_by_number;
 
-/// One spline of a sum: simple knots, and the coefficients of its B-splines counted as [`crate::fit::KnotSpace`] counts.
+/// One spline of a sum: simple knots, and the coefficients of its B-splines counted as [`crate::fit::KnotSpace`]
+/// counts.
 #[derive(Clone, Debug, Default)]
 pub(in crate::fit) struct Summand {
     pub(in crate::fit) degree: usize,

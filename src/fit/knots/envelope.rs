@@ -101,8 +101,8 @@ impl Envelope {
         self.border
     }
 
-    /// [`Envelope::forward`] where the entries of the right side outside the border lie in `from..=last`. Answers where the
-    /// solution has decayed: from there to the border it is left 0.
+    /// [`Envelope::forward`] where the entries of the right side outside the border lie in `from..=last`. Answers where
+    /// the solution has decayed: from there to the border it is left 0.
     pub(super) fn forward_near(&self, x: &mut [f64], from: usize, last: usize) -> usize {
         let (mut end, mut peak, mut calm) = (from.min(self.border), 0.0_f64, 0);
         while end < self.border && (end <= last || calm < self.reach) {

@@ -1,7 +1,7 @@
 //! Points that are equally far apart along their curve: the curve says where they belong.
 //!
-//! Feet alone use nothing of what points say along the curve, and half of what they say is along it. Where they follow one
-//! another evenly, the length of the curve gives them their parameters back, and all that they say counts (D 13.9).
+//! Feet alone use nothing of what points say along the curve, and half of what they say is along it. Where they follow
+//! one another evenly, the length of the curve gives them their parameters back, and all that they say counts (D 13.9).
 
 mod drift;
 mod spaced;
@@ -141,8 +141,8 @@ impl Spread {
         Some(spread)
     }
 
-    /// By what length each point's foot is ahead of where its number puts it; on closed curves to the round that is nearest to the
-    /// first one.
+    /// By what length each point's foot is ahead of where its number puts it; on closed curves to the round that is
+    /// nearest to the first one.
     #[inline(never)]
     fn off(&self, located: &Located, end: f64) -> Vec<f64> {
         let (total, start, mut guess, mut first) = (self.lengths.total(), self.lengths.at[0], 0, 0.0);
@@ -169,8 +169,8 @@ impl Spread {
     }
 }
 
-/// Parameters that are equally far apart along the curve, ascending from 0, and the breaks that belong to them: on closed
-/// curves all parameters are shifted, so that the first point has 0. `located` has the feet of the points.
+/// Parameters that are equally far apart along the curve, ascending from 0, and the breaks that belong to them: on
+/// closed curves all parameters are shifted, so that the first point has 0. `located` has the feet of the points.
 pub(super) fn by_length(spline: &Spline, located: &Located) -> Option<(Vec<f64>, super::breaks::Breaks)> {
     let spread = Spread::new(spline, located)?;
     let mut breaks = spline.space.breaks.clone();

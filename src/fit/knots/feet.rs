@@ -26,8 +26,8 @@ impl Spline {
         self.project_beyond(data, rounds, 0.0)
     }
 
-    /// The same, but points that are nearer than `enough` stay where they are: whether all are takes one look at most of
-    /// them.
+    /// The same, but points that are nearer than `enough` stay where they are: whether all are takes one look at most
+    /// of them.
     pub(super) fn project_beyond(&self, data: &mut Located, rounds: usize, enough: f64) -> Distances {
         let mut feet = core::mem::take(&mut data.parameters);
         let distances = self.feet_beyond(data, &mut feet, rounds, enough);
@@ -129,9 +129,10 @@ impl Spline {
         count
     }
 
-    /// Goes on with a point whose step may lead off piece s: its foot so far, how far that is (squared), how many looks are left
-    /// and what share a step has to win. A step that comes no nearer is the last one; where the very foot is wanted it is halved,
-    /// and twice that is the most for the next one, so that a corner is reached, too. Answers the square of the distance.
+    /// Goes on with a point whose step may lead off piece s: its foot so far, how far that is (squared), how many looks
+    /// are left and what share a step has to win. A step that comes no nearer is the last one; where the very foot is
+    /// wanted it is halved, and twice that is the most for the next one, so that a corner is reached, too. Answers the
+    /// square of the distance.
     #[inline(never)]
     fn onward(
         &self,

@@ -144,8 +144,8 @@ impl FreeKnots {
         Point::new(derivative(&px, degree, u, span.half, order), derivative(&py, degree, u, span.half, order))
     }
 
-    /// For every knot exactly what the sum of squares would grow by without it: with w the jumps, L their rows and G the
-    /// equations, wᵀ(LG⁻¹Lᵀ)⁻¹w (D 13.1). O(K²·degree).
+    /// For every knot exactly what the sum of squares would grow by without it: with w the jumps, L their rows and G
+    /// the equations, wᵀ(LG⁻¹Lᵀ)⁻¹w (D 13.1). O(K²·degree).
     #[inline(never)]
     pub(super) fn removals(&self) -> Vec<Removal> {
         let mut rows = vec![vec![0.0; self.space.count]; HIGHEST];

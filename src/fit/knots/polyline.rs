@@ -11,8 +11,8 @@ use crate::numerics::order::sort_in_place;
 
 /// An edge of the fewest vertices passes at most so many points.
 pub(super) const REACH: usize = 64;
-/// What a piece of a polyline takes in all, as a spline and in the lists that are made of it: 340 bytes of the space, 50 of
-/// coefficients, 100 of polynomials.
+/// What a piece of a polyline takes in all, as a spline and in the lists that are made of it: 340 bytes of the space,
+/// 50 of coefficients, 100 of polynomials.
 pub(super) const PER_PIECE: usize = 600;
 
 /// Numbers of the points that a polyline goes through so that no point is farther from it than `tolerance`: Ramer's and
@@ -172,8 +172,9 @@ fn inner<'a>(vertices: &'a [usize], located: &'a Located, like: &Breaks) -> impl
     })
 }
 
-/// The polyline through these points as a spline with those corners, and all points at their feet on the edges that pass
-/// them. From elsewhere a way to the foot need not lead there: where noise turns back, it goes round a vertex to another edge.
+/// The polyline through these points as a spline with those corners, and all points at their feet on the edges that
+/// pass them. From elsewhere a way to the foot need not lead there: where noise turns back, it goes round a vertex to
+/// another edge.
 ///
 /// # Errors
 ///

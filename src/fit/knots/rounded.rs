@@ -24,8 +24,8 @@ pub(super) struct Rounds {
     pub(super) cosine: f64,
 }
 
-/// A vertex: its number among the points, where along the polyline it is, the way there and the way on, and how far on either side
-/// the round reaches; 0 for corners and ends.
+/// A vertex: its number among the points, where along the polyline it is, the way there and the way on, and how far on
+/// either side the round reaches; 0 for corners and ends.
 #[derive(Clone, Copy, Debug)]
 struct Vertex {
     point: usize,
@@ -35,7 +35,8 @@ struct Vertex {
     reach: f64,
 }
 
-/// The vertices of the polyline through these points, and its length; those that stand where the one before does are left out.
+/// The vertices of the polyline through these points, and its length; those that stand where the one before does are
+/// left out.
 #[inline(never)]
 fn walked(vertices: &[usize], points: &[Point], closed: bool, rounds: Rounds) -> Result<(Vec<Vertex>, f64)> {
     let mut walk: Vec<Vertex> = limits::with_room(vertices.len())?;
@@ -74,8 +75,8 @@ fn walked(vertices: &[usize], points: &[Point], closed: bool, rounds: Rounds) ->
     Ok((walk, length))
 }
 
-/// The polyline through these points with rounds of parabolas, as smooth as knots that count once less than a corner allow, and
-/// all points beside their feet; nothing where a round would be too short.
+/// The polyline through these points with rounds of parabolas, as smooth as knots that count once less than a corner
+/// allow, and all points beside their feet; nothing where a round would be too short.
 ///
 /// # Errors
 ///

@@ -134,8 +134,8 @@ struct Change {
 /// A cheaper fit, by one round of changes, or `None` when nothing that is tried makes it cheaper.
 ///
 /// First come changes whose effect is known, all that are apart at once. Where there is none, knots are taken away or
-/// joined that would have to be made up for by the others' sliding, one trial after another; `near_first` by that of those
-/// beside them.
+/// joined that would have to be made up for by the others' sliding, one trial after another; `near_first` by that of
+/// those beside them.
 pub(super) fn better(
     fitted: &FreeKnots,
     data: &Located,
@@ -172,7 +172,8 @@ pub(super) fn better(
     None
 }
 
-/// Other knots, where there are many with those beside the change slid to where these make up for it; nothing if they do not.
+/// Other knots, where there are many with those beside the change slid to where these make up for it; nothing if they
+/// do not.
 #[inline(never)]
 fn slid_near(before: &Breaks, after: Breaks, data: &Located, price: Price) -> Option<Breaks> {
     let Some(window) = Window::of(before, &after, data) else { return Some(after) };
@@ -281,7 +282,8 @@ fn corners(fitted: &FreeKnots, gains: &[Gains], price: Price) -> Vec<Breaks> {
     found.into_iter().map(corner).collect()
 }
 
-/// Neighbouring knots within a few points that together cost no less than a corner, which they may be; the closest first.
+/// Neighbouring knots within a few points that together cost no less than a corner, which they may be; the closest
+/// first.
 #[inline(never)]
 pub(super) fn clusters(breaks: &Breaks, points: usize) -> Vec<Breaks> {
     let reach = NEAR * breaks.end / points.max(1) as f64;

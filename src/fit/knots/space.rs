@@ -119,8 +119,8 @@ impl Space {
         (i, t)
     }
 
-    /// The pieces that parameters lie in, one after the other, and each parameter as its piece counts it; quick where they
-    /// follow one another.
+    /// The pieces that parameters lie in, one after the other, and each parameter as its piece counts it; quick where
+    /// they follow one another.
     #[inline(always)]
     pub(super) fn places(&self, parameters: &[f64]) -> impl Iterator<Item = (usize, f64)> {
         let mut at = 0;
@@ -144,8 +144,9 @@ impl Space {
         first
     }
 
-    /// Adds to the equations of both coordinates a price for what bends pieces that are to be straight, `stiff` times what
-    /// the coefficients of their polynomials are, and to their right side what the price asks of these coefficients.
+    /// Adds to the equations of both coordinates a price for what bends pieces that are to be straight, `stiff` times
+    /// what the coefficients of their polynomials are, and to their right side what the price asks of these
+    /// coefficients.
     pub(super) fn stiffen(
         &self,
         equations: &mut Envelope,

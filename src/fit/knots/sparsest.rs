@@ -43,8 +43,9 @@ const AHEAD: f64 = 20.0;
 const MOST_ROUNDS: usize = 400;
 /// The same in work: a round tries about thirty fits, each a pass over the points and some hundred operations a knot.
 const MOST_WORK: f64 = 1e8;
-/// A tolerance below this, in units of the drawing, is met by nearly as many numbers as the points have: few of them can be spared, and
-/// one in so many of those operations looks for them; as for those that are more than the points, which only points in no order ask for.
+/// A tolerance below this, in units of the drawing, is met by nearly as many numbers as the points have: few of them
+/// can be spared, and one in so many of those operations looks for them; as for those that are more than the points,
+/// which only points in no order ask for.
 const FINE: f64 = 1e-7;
 const HURRY: f64 = 5.0;
 
@@ -104,7 +105,8 @@ pub(in crate::fit) struct Found {
 }
 
 impl Found {
-    /// Whether it swings far from points that are noisy by so much: of points in no order hardly any lie between two knots, and nothing holds it.
+    /// Whether it swings far from points that are noisy by so much: of points in no order hardly any lie between two
+    /// knots, and nothing holds it.
     fn swings(&self, noise: f64) -> bool {
         self.wild.is_some() && self.spline.strays(&self.located, Leash::wide(&self.located, noise)).is_some()
     }
@@ -247,7 +249,8 @@ impl Sparsest {
         if reached { FitStatus::Converged } else { FitStatus::Stalled }
     }
 
-    /// The tolerance that was asked for, where the best curve so far does not keep it; that of the noise, where it swings far from the points.
+    /// The tolerance that was asked for, where the best curve so far does not keep it; that of the noise, where it
+    /// swings far from the points.
     pub(in crate::fit) fn missed(&self) -> Option<f64> {
         match self.asked.aim {
             Aim::Tolerance(tolerance) if self.status() != FitStatus::Converged => Some(tolerance),

@@ -1,5 +1,5 @@
-//! A spline, and what points ask of it: their distances from it, and the spline near it that makes these small while their
-//! parameters are free. Where on the curve each point belongs is found in `feet`.
+//! A spline, and what points ask of it: their distances from it, and the spline near it that makes these small while
+//! their parameters are free. Where on the curve each point belongs is found in `feet`.
 
 use super::breaks::HIGHEST;
 use super::envelope::Envelope;
@@ -148,7 +148,8 @@ impl Spline {
         self.moved(equations, right, STIFF * size);
     }
 
-    /// Moves the coefficients by the solution of some equations, and keeps pieces straight that are to be. Answers the solution.
+    /// Moves the coefficients by the solution of some equations, and keeps pieces straight that are to be. Answers the
+    /// solution.
     pub(super) fn moved(&mut self, mut equations: Envelope, mut right: Vec<f64>, stiff: f64) -> Vec<f64> {
         if !self.space.breaks.straight.is_empty() {
             self.space.stiffen(&mut equations, &mut right, [&self.x, &self.y], stiff);

@@ -35,8 +35,8 @@ impl Scatter {
     }
 }
 
-/// The pieces of which the best line is farther from their points than the curve is by less than `worth`, in squares; the
-/// one that bends least first. O(M).
+/// The pieces of which the best line is farther from their points than the curve is by less than `worth`, in squares;
+/// the one that bends least first. O(M).
 pub(super) fn bends(spline: &Spline, located: &Located, worth: f64) -> Vec<usize> {
     let space = &spline.space;
     let mut sums = vec![Scatter::default(); space.spans.len()];

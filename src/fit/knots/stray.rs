@@ -16,14 +16,14 @@ pub(super) const WIDEST: f64 = 4.0;
 /// What is no farther from that way than such a part of the drawing does no harm.
 const HARMLESS: f64 = 0.1;
 
-/// How far a curve may be of which the sum of squares is all that is known: so many times what its own points are off on average, such a
-/// part of the drawing, and of the distances of the points around. (D 13.16)
+/// How far a curve may be of which the sum of squares is all that is known: so many times what its own points are off
+/// on average, such a part of the drawing, and of the distances of the points around. (D 13.16)
 const OFF: f64 = 2.0;
 const SWING: f64 = 0.02;
 const SHARE: f64 = 0.25;
 
-/// How far from the lines between points a curve may be: so much, and this share of the distances of the points around, for
-/// so far off a corner between two of them may be.
+/// How far from the lines between points a curve may be: so much, and this share of the distances of the points around,
+/// for so far off a corner between two of them may be.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Leash {
     pub(super) slack: f64,
@@ -38,7 +38,8 @@ impl Leash {
 }
 
 impl Spline {
-    /// A piece on which a curve that is off its points by this sum of squares swings away from them: few points do not hold it between them.
+    /// A piece on which a curve that is off its points by this sum of squares swings away from them: few points do not
+    /// hold it between them.
     pub(in crate::fit) fn wild_piece(&self, data: &Located, squares: f64) -> Option<usize> {
         let slack = OFF * (squares / weight(data)).sqrt() + SWING * size_of(&data.points);
         self.strays(data, Leash { slack, share: SHARE })
@@ -49,8 +50,8 @@ impl Spline {
         self.stray_places(data, leash).first().map(|pull| pull.piece)
     }
 
-    /// Pulls the curve back to the way of the points where it leaves it; answers how far the points are then, or nothing
-    /// where it still does.
+    /// Pulls the curve back to the way of the points where it leaves it; answers how far the points are then, or
+    /// nothing where it still does.
     pub(super) fn pulled_back(&mut self, data: &mut Located, leash: Leash) -> Option<Distances> {
         let mut distances = self.project(data, 2);
         for _ in 0..MOST_STEPS {
@@ -127,8 +128,8 @@ impl<'a> Way<'a> {
         self.data.points[self.order[j]]
     }
 
-    /// The way from a place between points i and i + 1 to the lines between those around, and how far apart these are. Across a
-    /// gap that is wider than the others a curve may swing as far as it is wide.
+    /// The way from a place between points i and i + 1 to the lines between those around, and how far apart these are.
+    /// Across a gap that is wider than the others a curve may swing as far as it is wide.
     fn back(&self, place: Point, i: usize) -> (Vector, f64) {
         let (mut nearest, mut apart) = (Vector::repeat(f64::INFINITY), 0.0_f64);
         for k in [0, 1, 3, 4, 2] {

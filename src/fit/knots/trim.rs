@@ -11,9 +11,9 @@ use crate::error::Result;
 const SHORTEST: f64 = 1e-11;
 
 impl Spline {
-    /// The same curve without what is beyond the feet of the points, and the points on it; nothing where both ends have feet.
-    /// While parameters are free, ends may slip past the first and the last foot, and there nothing holds the curve.
-    /// O(M + K·degree²).
+    /// The same curve without what is beyond the feet of the points, and the points on it; nothing where both ends have
+    /// feet. While parameters are free, ends may slip past the first and the last foot, and there nothing holds the
+    /// curve. O(M + K·degree²).
     pub(in crate::fit) fn trimmed(&self, data: &Located) -> Result<Option<(Self, Located)>> {
         let breaks = &self.space.breaks;
         if breaks.closed {

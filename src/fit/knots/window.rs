@@ -3,8 +3,8 @@
 use super::breaks::Breaks;
 use super::free_knots::Located;
 
-/// So many knots beside those that change are looked at, on either side. Between even knots what a coefficient of a cubic
-/// spline changes by falls to .27 from one to the next, so that beyond them .0004 of it is left.
+/// So many knots beside those that change are looked at, on either side. Between even knots what a coefficient of a
+/// cubic spline changes by falls to .27 from one to the next, so that beyond them .0004 of it is left.
 const BESIDE: usize = 6;
 
 /// Some knots changed, and those beside them, as an open curve of its own.
@@ -23,8 +23,8 @@ pub(super) struct Window {
 }
 
 impl Window {
-    /// What differs between two lists of knots, and what is beside it; `None` where that is half of the curve, which may as
-    /// well be looked at whole. O(M + K).
+    /// What differs between two lists of knots, and what is beside it; `None` where that is half of the curve, which
+    /// may as well be looked at whole. O(M + K).
     #[inline(never)]
     pub(super) fn of(before: &Breaks, after: &Breaks, data: &Located) -> Option<Self> {
         let count = before.len();

@@ -27,7 +27,8 @@ struct Walk {
     places: usize,
 }
 
-/// The dual curve at some places, found some samples at a time; closed ones are gone round once before, for their state.
+/// The dual curve at some places, found some samples at a time; closed ones are gone round once before, for their
+/// state.
 #[derive(Clone, Debug)]
 pub(crate) struct Sweep {
     walk: Walk,
@@ -63,8 +64,8 @@ impl Walk {
 }
 
 impl Integral<'_> {
-    /// Past so many samples more, and at last to the end of the domain; leaves the values at the places and answers whether
-    /// the end is reached.
+    /// Past so many samples more, and at last to the end of the domain; leaves the values at the places and answers
+    /// whether the end is reached.
     #[inline(never)]
     fn advance(&self, walk: &mut Walk, places: &[f64], values: &mut Vec<Vector>, samples: usize) -> bool {
         let parameters = &self.problem.parameters;

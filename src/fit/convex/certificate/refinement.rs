@@ -11,8 +11,8 @@ use crate::numerics::banded::Bordered;
 /// Systems of more unknowns than this are not refined: the bound is then what the residuals as they are give.
 const MOST_DENSE: usize = 1200;
 
-/// A coordinate that jumps by this share of the largest jump, or less, does not jump where |x| + |y| is measured: what it
-/// does then is rounding.
+/// A coordinate that jumps by this share of the largest jump, or less, does not jump where |x| + |y| is measured: what
+/// it does then is rounding.
 const NOTHING: f64 = 1e-8;
 /// The dual curve of a coordinate that does not jump may be anything up to one: it stays as it is found.
 const ANY: f64 = f64::NAN;

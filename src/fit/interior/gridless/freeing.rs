@@ -1,5 +1,5 @@
-//! The way off the grid in rounds: each finds one optimum on given knots, takes one look at the dual curve, or makes one
-//! system.
+//! The way off the grid in rounds: each finds one optimum on given knots, takes one look at the dual curve, or makes
+//! one system.
 
 use super::gap::Measuring;
 use super::newton::Newton;

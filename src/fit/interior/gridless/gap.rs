@@ -20,8 +20,8 @@ fn steps(problem: &Problem) -> usize {
     problem.points.len().min(MOST_POINTS) * PLACES
 }
 
-/// The relative duality gap when knots may be anywhere, found in rounds: the dual curve's longest vector is bounded between
-/// the places at which it is known by their second difference. (D 13.8)
+/// The relative duality gap when knots may be anywhere, found in rounds: the dual curve's longest vector is bounded
+/// between the places at which it is known by their second difference. (D 13.8)
 #[derive(Clone, Debug)]
 pub(super) struct Measuring {
     /// The dual vector; empty before it is found.

@@ -1,9 +1,9 @@
 //! The order of the unknowns in which their equations are a narrow band with a small border.
 //!
-//! Along the curve, by the middles of their supports, coefficients couple with those beside them; round a circle the last
-//! couple with the first, and are the border. Where one spline has few knots and the other many, supports of the one reach
-//! over many coefficients of the other, and no band is narrow: the widest then stand in the border as well, which couples
-//! with everything anyway.
+//! Along the curve, by the middles of their supports, coefficients couple with those beside them; round a circle the
+//! last couple with the first, and are the border. Where one spline has few knots and the other many, supports of the
+//! one reach over many coefficients of the other, and no band is narrow: the widest then stand in the border as well,
+//! which couples with everything anyway.
 
 use super::{Part, Reduced};
 use crate::error::Result;
@@ -164,8 +164,8 @@ mod tests {
     #[cfg(target_arch = "wasm32")]
     use wasm_bindgen_test::wasm_bindgen_test as test;
 
-    /// How many unknowns are in the band, how many are not, and how far they couple: corners at some of 400 places, smooth
-    /// pieces between all.
+    /// How many unknowns are in the band, how many are not, and how far they couple: corners at some of 400 places,
+    /// smooth pieces between all.
     fn arranged(closed: bool, corners: &[usize]) -> Result<(usize, usize, usize)> {
         let circle = |i: usize| Vector::new((i as f64 / 64.0).cos(), (i as f64 / 64.0).sin());
         let points: Vec<Vector> = (0..400).map(circle).collect();
@@ -181,8 +181,8 @@ mod tests {
         for closed in [false, true] {
             for corners in [vec![], vec![7, 200], vec![20, 21, 22, 23, 24, 25, 390], (100..300).collect()] {
                 let (banded, border, reach) = arranged(closed, &corners)?;
-                // No support in the band reaches over more than 25 others; in the border are those around a corner that is
-                // far from the next, and what closes the circle.
+                // No support in the band reaches over more than 25 others; in the border are those around a corner that
+                // is far from the next, and what closes the circle.
                 assert!(reach <= 25, "closed {closed}, {} corners: the band is {reach} wide", corners.len());
                 assert!(border <= 24, "closed {closed}, {} corners: {border} of {banded}", corners.len());
             }

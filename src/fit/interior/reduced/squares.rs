@@ -92,7 +92,8 @@ impl Reduced {
         }
     }
 
-    /// The polynomial of the whole sum on an element, given by its functions there, in ascending powers of its variable.
+    /// The polynomial of the whole sum on an element, given by its functions there, in ascending powers of its
+    /// variable.
     fn polynomial(&self, locals: &[(usize, Local)], unknowns: &[Vector]) -> [Vector; TERMS] {
         let mut sum = [Vector::zeros(); TERMS];
         for (part, (first, local)) in self.parts.iter().zip(locals) {

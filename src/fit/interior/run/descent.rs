@@ -3,8 +3,8 @@
 //! Many knots in play that are worth little, as on open curves and for high degrees, leave the curve to rounding: the
 //! interior point's equations know it only beside numbers 10¹⁶ times as large. On its own few knots the curve is well
 //! determined, so there it is followed by an active set: Newton's method on the knots that there are; the first that
-//! turns on the way goes; where none does, those come that the dual curve asks for. The objective falls with every round
-//! at one price, so no set comes twice. (D 12.13)
+//! turns on the way goes; where none does, those come that the dual curve asks for. The objective falls with every
+//! round at one price, so no set comes twice. (D 12.13)
 
 use super::Run;
 use crate::error::Result;

@@ -1,4 +1,5 @@
-//! Points that follow one another nearly evenly: their spacing changes slowly, and by how much can be told from their feet.
+//! Points that follow one another nearly evenly: their spacing changes slowly, and by how much can be told from their
+//! feet.
 
 use core::f64::consts::{PI, TAU};
 
@@ -10,9 +11,9 @@ use crate::numerics::angle::sin_cos;
 const MOST_WAVES: usize = 4;
 
 impl Spread {
-    /// By how many steps points are ahead of their numbers: the slowest waves of what their feet, which `located` has, are ahead by,
-    /// those of which every number lowers the sum of squares by more than `worth`. Empty where there is none. `end` is that of the
-    /// parameter.
+    /// By how many steps points are ahead of their numbers: the slowest waves of what their feet, which `located` has,
+    /// are ahead by, those of which every number lowers the sum of squares by more than `worth`. Empty where there is
+    /// none. `end` is that of the parameter.
     #[inline(never)]
     pub(super) fn drift(&self, located: &Located, end: f64, worth: f64) -> Vec<f64> {
         let (off, count) = (self.off(located, end), located.points.len());

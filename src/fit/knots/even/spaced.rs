@@ -1,7 +1,8 @@
 //! The curve that explains best points that are equally far apart along it.
 //!
-//! Where points are is then known from the curve alone, along it as well as across: what a point says along the curve is
-//! said of the length of all that lies before it. A corner is where both sides, each as long as its points say, meet.
+//! Where points are is then known from the curve alone, along it as well as across: what a point says along the curve
+//! is said of the length of all that lies before it. A corner is where both sides, each as long as its points say,
+//! meet.
 
 mod growth;
 mod sums;
@@ -22,16 +23,17 @@ const MOST_WORK: usize = 4_000_000;
 /// Steps that fail before none is looked for any more, and by how much each is shorter.
 const MOST_FAILED: usize = 2;
 const SHORTER: f64 = 0.3;
-/// How much less it counts at first that a curve's parameter stays as it is than what points say, and how many times that after a
-/// whole step and after a part of one: knots slide with the parameter, and little holds them (Levenberg's way).
+/// How much less it counts at first that a curve's parameter stays as it is than what points say, and how many times
+/// that after a whole step and after a part of one: knots slide with the parameter, and little holds them (Levenberg's
+/// way).
 const STAY: f64 = 0.003;
 const EASIER: f64 = 0.3;
 const HARDER: f64 = 10.0;
 /// How many times what the last step brought may be missing.
 const PACE: f64 = 4.0;
 
-/// A curve, its points with the parameters that are equally far apart along it, and the sum of the squares of the distances
-/// to those places.
+/// A curve, its points with the parameters that are equally far apart along it, and the sum of the squares of the
+/// distances to those places.
 #[derive(Clone, Debug)]
 pub(in crate::fit::knots) struct Spaced {
     pub(in crate::fit::knots) spline: Spline,
@@ -52,8 +54,8 @@ impl Spaced {
         Self::from(spline, located, lead, &[])
     }
 
-    /// The same curve with points whose spacing drifts (D 13.15), as their feet say; `None` where it does not, by what a number is
-    /// worth.
+    /// The same curve with points whose spacing drifts (D 13.15), as their feet say; `None` where it does not, by what
+    /// a number is worth.
     pub(in crate::fit::knots) fn drifting(&self, feet: &Located, worth: f64) -> Option<Self> {
         let spread = Spread::from(&self.spline, feet.points.len(), self.lead)?;
         let ahead = spread.drift(feet, self.spline.space.breaks.end, worth);
@@ -82,8 +84,8 @@ impl Spaced {
         Self::from(spline, &self.located, self.lead, &self.ahead)
     }
 
-    /// The same after some steps, the last of which brings less than `worth`; `None` where there are too many knots, and where
-    /// squares will not come down to `enough`. O(M + K³) for each.
+    /// The same after some steps, the last of which brings less than `worth`; `None` where there are too many knots,
+    /// and where squares will not come down to `enough`. O(M + K³) for each.
     #[inline(never)]
     pub(in crate::fit::knots) fn settled(mut self, worth: f64, enough: f64) -> Option<Self> {
         let (pieces, unknowns) = (self.spline.space.spans.len(), 2 * self.spline.space.count);
@@ -131,8 +133,8 @@ impl Spaced {
         None
     }
 
-    /// The equations of both coordinates of all coefficients and of the first point's length, their right side, and what
-    /// bending costs.
+    /// The equations of both coordinates of all coefficients and of the first point's length, their right side, and
+    /// what bending costs.
     fn equations(&self) -> Option<(Envelope, Vec<f64>, f64)> {
         let (space, size) = (&self.spline.space, 2 * self.spline.space.count + 1);
         let spread = Spread::from(&self.spline, self.located.points.len(), self.lead)?;

@@ -29,8 +29,8 @@ impl Part {
     }
 }
 
-/// A function outside the space: its pieces, these weighted by the points, its products with the basis, left-solved, and
-/// with the residuals of both coordinates.
+/// A function outside the space: its pieces, these weighted by the points, its products with the basis, left-solved,
+/// and with the residuals of both coordinates.
 #[derive(Clone, Debug)]
 struct Bump {
     pieces: Vec<(usize, Polynomial)>,

@@ -19,8 +19,8 @@ use crate::numerics::angle::sin_cos;
 
 /// The most corners to begin with.
 const MOST_VERTICES: usize = 600;
-/// A tolerance below so many standard deviations of the noise asks for knots that follow it, and for a polyline that keeps
-/// to so much of it.
+/// A tolerance below so many standard deviations of the noise asks for knots that follow it, and for a polyline that
+/// keeps to so much of it.
 const NEAR_NOISE: f64 = 4.0;
 const ALMOST: f64 = 0.98;
 /// The parts of a tolerance that a polyline leaves to its rounds, and that these are from its vertices.
@@ -134,9 +134,9 @@ impl Sparsest {
         Ok(Some(search))
     }
 
-    /// Takes the polyline of the fewest vertices for an answer, where what [`Self::missed`] tells is missed, rounded off where
-    /// corners may not be: a round of it, after which it says whether that was the last. O(M) in all but for points that are
-    /// many times denser than the tolerance.
+    /// Takes the polyline of the fewest vertices for an answer, where what [`Self::missed`] tells is missed, rounded
+    /// off where corners may not be: a round of it, after which it says whether that was the last. O(M) in all but for
+    /// points that are many times denser than the tolerance.
     ///
     /// # Errors
     ///
@@ -189,7 +189,8 @@ impl Sparsest {
         }))
     }
 
-    /// Knots at the corners of a polyline through some of the points, if that is enough of them: within a tolerance a line is.
+    /// Knots at the corners of a polyline through some of the points, if that is enough of them: within a tolerance a
+    /// line is.
     #[inline(never)]
     fn corners_at(&self, vertices: &[usize]) -> Result<Option<Breaks>> {
         let breaks = polyline::corners(vertices, &self.view.full, self.fitted.breaks())?;
@@ -221,7 +222,8 @@ impl Sparsest {
         search
     }
 
-    /// The same from the curve through all points on, where nothing that was found keeps the sum of squares on the way of the points.
+    /// The same from the curve through all points on, where nothing that was found keeps the sum of squares on the way
+    /// of the points.
     ///
     /// # Errors
     ///

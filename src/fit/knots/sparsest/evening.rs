@@ -1,5 +1,5 @@
-//! Points that are free to slide while knots are taken away, and where they belong afterwards: of points that follow one another
-//! evenly that is known along the curve, too, not only across it.
+//! Points that are free to slide while knots are taken away, and where they belong afterwards: of points that follow
+//! one another evenly that is known along the curve, too, not only across it.
 
 use super::view::from_afar;
 use super::{AHEAD, EASILY, Found, PER_NUMBER, Phase, Sparsest, WARMING};
@@ -21,7 +21,8 @@ const PACE: f64 = 2.0;
 const HOPELESS: f64 = 20.0;
 /// The cheapest knots that are tried one by one.
 const SINGLES: usize = 4;
-/// How many numbers' worth points that were free all the time must be ahead of those of a search that began with corners.
+/// How many numbers' worth points that were free all the time must be ahead of those of a search that began with
+/// corners.
 const FAR_AHEAD: f64 = 45.0;
 
 /// A spline whose points are free to slide along it: only their distances count.
@@ -126,9 +127,9 @@ impl Sparsest {
         Breaks { sharpest: self.sharpest, ..breaks.clone() }
     }
 
-    /// Gives the points of a fit parameters again: where they are even, evenly along the curve or by their numbers, whichever
-    /// explains them better; else their feet, where that costs less. Where neither does, the search goes on as one among knots at
-    /// the parameters that points came with.
+    /// Gives the points of a fit parameters again: where they are even, evenly along the curve or by their numbers,
+    /// whichever explains them better; else their feet, where that costs less. Where neither does, the search goes on
+    /// as one among knots at the parameters that points came with.
     fn place(&mut self, mut free: Free) {
         self.evening.placed = true;
         free.ease(EASED);
@@ -146,8 +147,8 @@ impl Sparsest {
         }
     }
 
-    /// Whether points cost less with their feet for parameters: what noise leaves along the curve is not seen then, and small
-    /// corners may be lost.
+    /// Whether points cost less with their feet for parameters: what noise leaves along the curve is not seen then, and
+    /// small corners may be lost.
     fn is_better_free(&self, free: &Free) -> bool {
         let price = self.pricing.price;
         let along = price.0 / PER_NUMBER * weight(&self.view.full);
@@ -180,8 +181,8 @@ impl Sparsest {
         are_even
     }
 
-    /// What a search among uneven points costs: their parameters are as good as the curve that they were found by, so that only
-    /// distances can be compared. Points that were free all the time are to be ahead for it.
+    /// What a search among uneven points costs: their parameters are as good as the curve that they were found by, so
+    /// that only distances can be compared. Points that were free all the time are to be ahead for it.
     pub(super) fn cost_at_feet(&self) -> f64 {
         let mut feet = if self.view.is_averaged() {
             self.view.following(self.fitted.breaks())

@@ -18,8 +18,9 @@ const CHEAPEST: usize = 6;
 const STAYS: f64 = 0.3;
 
 impl Sparsest {
-    /// The best curve of noisy points with corners in place of neighbouring knots that explain the points hardly better, and without knots that
-    /// do not pay. Feet on a bend stay there: a corner is seen to be as near only once they have moved on (D 13.13).
+    /// The best curve of noisy points with corners in place of neighbouring knots that explain the points hardly
+    /// better, and without knots that do not pay. Feet on a bend stay there: a corner is seen to be as near only once
+    /// they have moved on (D 13.13).
     #[inline(never)]
     pub(super) fn followed(&self, mut best: Found) -> Found {
         let breaks = &best.spline.space.breaks;
@@ -49,8 +50,8 @@ impl Sparsest {
         }
     }
 
-    /// The fit on other breaks that slide, and whose points follow where they are free, if it is worth its price and a bonus of some
-    /// numbers; without one corners have to stay as well.
+    /// The fit on other breaks that slide, and whose points follow where they are free, if it is worth its price and a
+    /// bonus of some numbers; without one corners have to stay as well.
     #[inline(never)]
     fn after(&self, breaks: Breaks, bonus: Option<f64>, best: &Found) -> Option<Found> {
         let price = self.pricing.price;

@@ -6,8 +6,8 @@ use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::free_knots::FreeKnots;
 use crate::fit::knots::spline::Spline;
 
-/// How many averages a knot needs, of those that the search begins with, and how many times as many are looked at where that is too few, or
-/// where they hid something.
+/// How many averages a knot needs, of those that the search begins with, and how many times as many are looked at where
+/// that is too few, or where they hid something.
 const PER_KNOT: usize = 3;
 const CLOSER: usize = 4;
 /// Rounds of adding knots in a row.

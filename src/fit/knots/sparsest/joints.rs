@@ -22,8 +22,9 @@ const SHARE: f64 = 0.05;
 const NEAR: f64 = 2.0;
 
 impl Sparsest {
-    /// The best curve with those corners smooth that turn little and are not worth what they cost: all of them, or one after the
-    /// other, those first that turn least (D 13.18). None are where parameters were given, which this would change.
+    /// The best curve with those corners smooth that turn little and are not worth what they cost: all of them, or one
+    /// after the other, those first that turn least (D 13.18). None are where parameters were given, which this would
+    /// change.
     #[inline(never)]
     pub(super) fn jointed(&self, mut best: Found) -> Found {
         if self.asked.timed || self.asked.aim.is_fine() {
@@ -49,8 +50,8 @@ impl Sparsest {
         best
     }
 
-    /// The fit with smooth joints in place of these corners, where it is worth what they spare: a corner costs more than its numbers,
-    /// for it is seen.
+    /// The fit with smooth joints in place of these corners, where it is worth what they spare: a corner costs more
+    /// than its numbers, for it is seen.
     #[inline(never)]
     fn with_joints(&self, corners: &[usize], best: &Found) -> Option<Found> {
         let price = self.pricing.price;
@@ -80,9 +81,9 @@ impl Sparsest {
     }
 }
 
-/// The breaks of a spline and its points, with pieces of such lengths that the curve is as fast after a corner as before it; a closed
-/// one, which may come round faster than it set out, a little faster at each. Where many corners in a row make it faster, only these
-/// count; nothing where they make its pieces too long or short for numbers.
+/// The breaks of a spline and its points, with pieces of such lengths that the curve is as fast after a corner as
+/// before it; a closed one, which may come round faster than it set out, a little faster at each. Where many corners in
+/// a row make it faster, only these count; nothing where they make its pieces too long or short for numbers.
 fn at_one_speed(spline: &Spline, located: &Located, corners: &[usize]) -> Option<(Breaks, Located)> {
     let space = &spline.space;
     let breaks = &space.breaks;
@@ -115,8 +116,8 @@ fn at_one_speed(spline: &Spline, located: &Located, corners: &[usize]) -> Option
     Some((Breaks { at, ..breaks.clone() }, Located { parameters, ..located.clone() }))
 }
 
-/// How many times as long each piece is to be for the curve to be as fast after these corners as before them; nothing where that is
-/// too much.
+/// How many times as long each piece is to be for the curve to be as fast after these corners as before them; nothing
+/// where that is too much.
 fn stretches(spline: &Spline, corners: &[usize]) -> Option<Vec<f64>> {
     let (space, breaks) = (&spline.space, &spline.space.breaks);
     let mut rises = vec![1.0; breaks.len()];

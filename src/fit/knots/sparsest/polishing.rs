@@ -12,7 +12,8 @@ use crate::fit::report::weight;
 /// How often pieces that swing away from the points are taken out.
 const MOST_TAMINGS: usize = 20;
 
-/// How many times the variance of the noise points may be away from a curve, in the mean of squares, for nothing to be hidden.
+/// How many times the variance of the noise points may be away from a curve, in the mean of squares, for nothing to be
+/// hidden.
 const EXPLAINED: f64 = 1.3;
 
 impl Sparsest {
@@ -107,8 +108,8 @@ impl Sparsest {
         }
     }
 
-    /// More than this noise does not leave of all points. A curve that averages show is as near to each of them as to their mean; what they hide
-    /// is a shape between them (D 13.11).
+    /// More than this noise does not leave of all points. A curve that averages show is as near to each of them as to
+    /// their mean; what they hide is a shape between them (D 13.11).
     fn explained(&self, noise: f64) -> f64 {
         EXPLAINED * noise * noise * weight(&self.view.full)
     }

@@ -58,8 +58,8 @@ impl Sparsest {
     }
 }
 
-/// Corners at which the curve turns by less than an angle; or its way does, seen from `far`: a curve that runs a little too
-/// far and back again turns round, though nothing else does.
+/// Corners at which the curve turns by less than an angle; or its way does, seen from `far`: a curve that runs a little
+/// too far and back again turns round, though nothing else does.
 pub(super) fn slight_corners(spline: &Spline, least: f64, far: f64) -> Vec<usize> {
     let breaks = &spline.space.breaks;
     if least <= 0.0 || breaks.degree < 2 {
@@ -83,8 +83,8 @@ pub(super) fn slight_corners(spline: &Spline, least: f64, far: f64) -> Vec<usize
     (0..breaks.len()).filter(is_slight).collect()
 }
 
-/// The breaks with all corners smooth that turn little, `None` where there are none: in noise a corner with the bend beside it may
-/// stand for a smooth joint (D 13.14).
+/// The breaks with all corners smooth that turn little, `None` where there are none: in noise a corner with the bend
+/// beside it may stand for a smooth joint (D 13.14).
 pub(super) fn without_seeming_corners(spline: &Spline) -> Option<Breaks> {
     let slight = slight_corners(spline, SEEMING, 0.0);
     let mut breaks = spline.space.breaks.clone();
@@ -92,7 +92,8 @@ pub(super) fn without_seeming_corners(spline: &Spline) -> Option<Breaks> {
     (!slight.is_empty()).then_some(breaks)
 }
 
-/// The same breaks with these corners smooth, and with a knot on either side of each. No knot may become a corner, nor begin as one.
+/// The same breaks with these corners smooth, and with a knot on either side of each. No knot may become a corner, nor
+/// begin as one.
 fn without_corners(breaks: &Breaks, slight: &[usize]) -> Breaks {
     let mut smooth = breaks.clone();
     smooth.straight.clear();

@@ -34,7 +34,8 @@ impl Run {
 }
 
 impl Sparsest {
-    /// A search that has ended: smooth from one of these corners to the next. The points' parameters are those by length.
+    /// A search that has ended: smooth from one of these corners to the next. The points' parameters are those by
+    /// length.
     ///
     /// # Errors
     ///

@@ -5,8 +5,8 @@ use super::{Found, PER_NUMBER, Sparsest};
 use crate::fit::knots::even::Spaced;
 use crate::fit::report::weight;
 
-/// Points that are so many times farther from where they belong by length, in the mean of squares, than noise says are not
-/// even.
+/// Points that are so many times farther from where they belong by length, in the mean of squares, than noise says are
+/// not even.
 const EXPLAINED: f64 = 1.3;
 /// How often it is told how the spacing of points drifts: feet on a curve by length say it better.
 const DRIFTS: usize = 2;
@@ -14,8 +14,8 @@ const DRIFTS: usize = 2;
 const PLAINLY: f64 = 0.5;
 
 impl Sparsest {
-    /// The curve that explains its points best where they are equally far apart along it (D 13.12), and slight corners smooth
-    /// where that pays; `None` where they are not.
+    /// The curve that explains its points best where they are equally far apart along it (D 13.12), and slight corners
+    /// smooth where that pays; `None` where they are not.
     pub(super) fn spaced_out(&self, best: &Found) -> Option<Found> {
         let mut located = best.located.clone();
         best.spline.project(&mut located, 3);
@@ -45,9 +45,9 @@ impl Sparsest {
         found.or_else(|| self.near_enough(spaced, best))
     }
 
-    /// The squares of what noise leaves of all points in both coordinates: by what is known of it, or by what they are off across the
-    /// curve where that is more. Of 600 points differences tell noise to 6 %, what a curve leaves across to 3 %,
-    /// whether points are even or not.
+    /// The squares of what noise leaves of all points in both coordinates: by what is known of it, or by what they are
+    /// off across the curve where that is more. Of 600 points differences tell noise to 6 %, what a curve leaves across
+    /// to 3 %, whether points are even or not.
     fn both_ways(&self, best: &Found) -> f64 {
         let (price, points) = (self.pricing.price, weight(&best.located));
         let numbers = price.whole(&best.spline.space.breaks) / price.0;

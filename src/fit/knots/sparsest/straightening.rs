@@ -12,8 +12,8 @@ use crate::fit::knots::straight::bends;
 const MOST_ALONE: usize = 12;
 /// The share of a tolerance's square that a number is worth at least.
 const SHARE: f64 = 0.01;
-/// A piece that would cost so many times what its numbers are worth, knots where they are, is not tried alone: knots that
-/// slide seldom make up for more.
+/// A piece that would cost so many times what its numbers are worth, knots where they are, is not tried alone: knots
+/// that slide seldom make up for more.
 const HOPELESS: f64 = 1.5;
 /// The share of a search's work that joining straight pieces may take, and how many fits a trial is worth.
 const JOINING: f64 = 0.5;
@@ -27,8 +27,8 @@ const HARDLY: f64 = 1e-3;
 const UNEVEN: f64 = 1.6;
 
 impl Sparsest {
-    /// Makes pieces of the best curve straight for as long as their distances from the points grow by no more than noise
-    /// explains, and what was asked for is kept (D 13.10).
+    /// Makes pieces of the best curve straight for as long as their distances from the points grow by no more than
+    /// noise explains, and what was asked for is kept (D 13.10).
     pub(super) fn straighten(&mut self) -> Phase {
         self.straightened = true;
         let Some(mut best) = self.found.take() else { return Phase::Done };
@@ -58,7 +58,8 @@ impl Sparsest {
         Phase::Done
     }
 
-    /// The curve of points that follow one another evenly with pieces straight that may be, and its points placed by length.
+    /// The curve of points that follow one another evenly with pieces straight that may be, and its points placed by
+    /// length.
     fn straightened_by_length(&mut self, mut best: Found) -> Found {
         let has_lines = |found: &Found| !found.spline.space.breaks.straight.is_empty();
         let mut may_have = true;
@@ -83,8 +84,8 @@ impl Sparsest {
         }
     }
 
-    /// The curve of points that are held with pieces straight that are so once points may slide: by the parameters that points
-    /// are held at even a straight side has a speed that changes.
+    /// The curve of points that are held with pieces straight that are so once points may slide: by the parameters that
+    /// points are held at even a straight side has a speed that changes.
     fn freely_straightened(&mut self, best: &Found) -> Found {
         let mut free = best.clone();
         free.distances = free.spline.project(&mut free.located, 3);
@@ -94,8 +95,8 @@ impl Sparsest {
         free
     }
 
-    /// The curve with the pieces straight that may be, all together or one after the other; not tried alone are those that would
-    /// cost so many times what their numbers are worth where they are.
+    /// The curve with the pieces straight that may be, all together or one after the other; not tried alone are those
+    /// that would cost so many times what their numbers are worth where they are.
     fn straightened(&self, mut best: Found, hopeless: f64) -> Found {
         let worth = self.number() * 2.0 * (best.spline.space.breaks.degree - 1) as f64;
         let order = bends(&best.spline, &best.located, worth);
@@ -123,8 +124,8 @@ impl Sparsest {
         }
     }
 
-    /// The same with its points equally far apart along it, where they are: between straight sides that tells where corners
-    /// are.
+    /// The same with its points equally far apart along it, where they are: between straight sides that tells where
+    /// corners are.
     fn placed_by_length(&self, best: Found) -> Found {
         let breaks = &best.spline.space.breaks;
         let placed = if self.evening.even {
@@ -145,7 +146,8 @@ impl Sparsest {
         spline.straighten();
         let mut feet = located.parameters.clone();
         let distances = spline.feet(&located, &mut feet, 3);
-        // Another fit to the same noise is about as near, to what its numbers are worth; points that are not even after all are not.
+        // Another fit to the same noise is about as near, to what its numbers are worth; points that are not even after
+        // all are not.
         let farther =
             distances.squares - best.distances.squares > self.pricing.price.whole(&spline.space.breaks);
         let stray = farther || self.is_spoiled(&spline, &located);

@@ -1,9 +1,9 @@
 //! The equations of points that are equally far apart along a curve, gathered piece by piece.
 //!
-//! Where a point's place moves along the curve depends on all coefficients, but in one way for all points of a piece, except
-//! for the coefficients of that piece: a point costs no more than one that depends on its piece alone. What points are off is
-//! summed point by point, and says where steps lead; how places move, which says how long they are, at two places in each part
-//! of a piece.
+//! Where a point's place moves along the curve depends on all coefficients, but in one way for all points of a piece,
+//! except for the coefficients of that piece: a point costs no more than one that depends on its piece alone. What
+//! points are off is summed point by point, and says where steps lead; how places move, which says how long they are,
+//! at two places in each part of a piece.
 
 use super::growth::{Local, Place};
 use crate::fit::knots::breaks::HIGHEST;
@@ -19,8 +19,8 @@ const ONE_PLACE: f64 = 1e-12;
 pub(super) const LENGTHS: usize = 3;
 const SIZE: usize = LENGTHS + 2 * (HIGHEST + 1);
 
-/// Sums over the points of a part of a piece, which is from 0 to 1 there: of the powers of their places, and of these with what they
-/// are off along the curve.
+/// Sums over the points of a part of a piece, which is from 0 to 1 there: of the powers of their places, and of these
+/// with what they are off along the curve.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Crowd {
     weights: [f64; 4],
@@ -38,7 +38,8 @@ impl Crowd {
         }
     }
 
-    /// Weights and places of two points that stand for all: sums of cubics are the same (Gauss's rule for the points' measure).
+    /// Weights and places of two points that stand for all: sums of cubics are the same (Gauss's rule for the points'
+    /// measure).
     pub(super) fn nodes(&self) -> [[f64; 2]; 2] {
         let [whole, first, second, third] = self.weights;
         if whole <= 0.0 {
@@ -58,8 +59,8 @@ impl Crowd {
     }
 }
 
-/// Sums over the points of a piece: of products of what their places move by along the curve, and with what they are off;
-/// and the same across, where only the piece's own coefficients count.
+/// Sums over the points of a piece: of products of what their places move by along the curve, and with what they are
+/// off; and the same across, where only the piece's own coefficients count.
 #[derive(Clone, Debug)]
 pub(super) struct Sums {
     products: [[f64; SIZE]; SIZE],
@@ -74,9 +75,9 @@ impl Default for Sums {
 }
 
 impl Sums {
-    /// Takes a place of weight w that points are at; `lengths` is how a point's length along the curve, less that of the place,
-    /// grows with the first three, and `grown` how the place's length from the start of the piece grows with the coefficients
-    /// there. `stay` is how much it counts that the parameter stays as it is.
+    /// Takes a place of weight w that points are at; `lengths` is how a point's length along the curve, less that of
+    /// the place, grows with the first three, and `grown` how the place's length from the start of the piece grows with
+    /// the coefficients there. `stay` is how much it counts that the parameter stays as it is.
     pub(super) fn take(
         &mut self,
         [w, stay]: [f64; 2],
@@ -107,8 +108,8 @@ impl Sums {
         }
     }
 
-    /// Adds the sums to the equations of all coefficients. `dense` are the growths of the first two lengths by all of them,
-    /// `units` the numbers of the unknowns that the others are, two for each function of the basis.
+    /// Adds the sums to the equations of all coefficients. `dense` are the growths of the first two lengths by all of
+    /// them, `units` the numbers of the unknowns that the others are, two for each function of the basis.
     pub(super) fn spread(
         &self,
         equations: &mut Envelope,
