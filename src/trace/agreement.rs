@@ -239,7 +239,8 @@ impl Walk<'_> {
         let Self { chords, closed, .. } = *self;
         let (mut best, mut share) = chords[self.at].off(p);
         let mut root = best.sqrt();
-        // A contour is not much longer than the chords of its curve. What is left of this chord, and then chord by chord.
+        // A contour is not much longer than the chords of its curve. What is left of this chord, and then chord by
+        // chord.
         let mut ahead = AHEAD + 2.0 * stride + root - (1.0 - share) * chords[self.at].length;
         let (start, mut i) = (self.at, self.at);
         while ahead > 0.0 {

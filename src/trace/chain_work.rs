@@ -152,7 +152,8 @@ fn has_extent(chain: &Chain) -> bool {
     chain.points().iter().any(|p| norm(p - first) > 0.05)
 }
 
-/// The area of the square that an edge would just go round, in square pixels: what speckle says of edges, which need not enclose anything.
+/// The area of the square that an edge would just go round, in square pixels: what speckle says of edges, which need
+/// not enclose anything.
 fn span(chain: &Chain) -> f64 {
     let mut length = 0.0;
     for pair in chain.points().windows(2) {

@@ -8,8 +8,8 @@ use crate::numerics::Vector;
 use crate::numerics::plane::{enlarge, larger, smaller};
 
 impl Pitch {
-    /// How far before the picture the squares begin. Those of two sizes begin up to a pixel later than even ones would, half of that on the average;
-    /// where nothing is cut off, as mostly, that is known.
+    /// How far before the picture the squares begin. Those of two sizes begin up to a pixel later than even ones would,
+    /// half of that on the average; where nothing is cut off, as mostly, that is known.
     #[inline(never)]
     fn back(&self) -> f64 {
         let count = self.count as f64;
@@ -30,7 +30,8 @@ impl Blocks {
         self.sides().product()
     }
 
-    /// Makes what a tracer is told of pixels what it is told of squares: no fewer than two unless fewer are asked for, as in any picture. How near the first curves are counts in squares.
+    /// Makes what a tracer is told of pixels what it is told of squares: no fewer than two unless fewer are asked for,
+    /// as in any picture. How near the first curves are counts in squares.
     pub(super) fn adapt(&self, options: &mut TraceOptions) {
         if let Some(blur) = &mut options.blur {
             *blur /= self.sides().x;
@@ -40,7 +41,8 @@ impl Blocks {
         }
     }
 
-    /// Makes contours of the squares those of the picture. Where the border cuts squares off, outlines end where these would.
+    /// Makes contours of the squares those of the picture. Where the border cuts squares off, outlines end where these
+    /// would.
     #[inline(never)]
     pub(super) fn enlarge(&self, contours: &mut [TracedContour]) {
         let sides = self.sides();

@@ -165,7 +165,8 @@ impl InkWork {
         self.options.threshold.map_or(self.tones.middle(), |shade| 256.0 * shade)
     }
 
-    /// Begins to refine the outlines of a kind, while the others stay; without outlines of that kind, those of the next.
+    /// Begins to refine the outlines of a kind, while the others stay; without outlines of that kind, those of the
+    /// next.
     fn refinement(&mut self, kind: Kind) -> Result<()> {
         let is_there = |kind: Kind| self.kinds.contains(&kind);
         let Some(kind) =
@@ -256,7 +257,8 @@ impl InkWork {
         Ok(Some((outline.to_curve(angles)?, outline.cusps(self.options.corner))))
     }
 
-    /// A bit of one contour more in this phase, which says what it cost and whether it was the contour's last; whether it was the last of all.
+    /// A bit of one contour more in this phase, which says what it cost and whether it was the contour's last; whether
+    /// it was the last of all.
     fn advance(&mut self, work: fn(&mut Self, usize) -> Result<(f64, bool)>) -> Result<(f64, bool)> {
         let i = self.progress.completed;
         if i >= self.found.len() {

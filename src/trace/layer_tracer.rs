@@ -29,7 +29,8 @@ enum Phase {
 ///
 /// # Cost
 ///
-/// As [`Tracer`], for every layer; 10 bytes for each pixel, and 4 more for each of a region that winds through all of the picture.
+/// As [`Tracer`], for every layer; 10 bytes for each pixel, and 4 more for each of a region that winds through all of
+/// the picture.
 #[derive(Debug)]
 pub struct LayerTracer {
     layers: Layers,
@@ -45,7 +46,8 @@ pub struct LayerTracer {
 }
 
 impl LayerTracer {
-    /// Begins; nothing is done yet. Of the options, source, threshold and inversion do not matter: a layer's shape is ink on paper.
+    /// Begins; nothing is done yet. Of the options, source, threshold and inversion do not matter: a layer's shape is
+    /// ink on paper.
     pub fn new(layers: Layers, options: &TraceOptions) -> Self {
         let (order, visible) = drawn(&layers);
         let source = Source::Brightness;
@@ -122,7 +124,8 @@ impl LayerTracer {
         Ok(())
     }
 
-    /// A layer's trace went on. If it has more contours than there may be, the next layer is next, so that the refusal says how many all have.
+    /// A layer's trace went on. If it has more contours than there may be, the next layer is next, so that the refusal
+    /// says how many all have.
     fn traced(&mut self, step: Result<Progress>, color: Color) -> Result<()> {
         let progress = match step {
             Ok(progress) => progress,

@@ -15,8 +15,8 @@ pub struct Metrics {
     pub mae: f64,
     /// Their largest distance.
     pub max: f64,
-    /// The largest distance between both, in both directions: more than `max` where a sharp corner stands beyond its contour,
-    /// which pixels cut off.
+    /// The largest distance between both, in both directions: more than `max` where a sharp corner stands beyond its
+    /// contour, which pixels cut off.
     pub hausdorff: f64,
     /// The share of their pixels that are next to each other: see [`Jaccard::tolerant`].
     pub jaccard: f64,
@@ -108,10 +108,11 @@ const SPARSE: f64 = 256.0;
 /// Two readings of the Jaccard index of a profile's pixels and a curve's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jaccard {
-    /// Shared pixels over all pixels, a pixel counted as shared if the other side has one among its 8 neighbours or itself.
+    /// Shared pixels over all pixels, a pixel counted as shared if the other side has one among its 8 neighbours or
+    /// itself.
     pub tolerant: f64,
-    /// Intersection over union of the profile and the curve's pixels with all their neighbours, as printed: a third at best
-    /// for thin profiles.
+    /// Intersection over union of the profile and the curve's pixels with all their neighbours, as printed: a third at
+    /// best for thin profiles.
     pub literal: f64,
 }
 
@@ -146,7 +147,8 @@ pub(super) fn one_number((column, row): (i32, i32)) -> u64 {
 ///
 /// # Cost
 ///
-/// O(N) where the pixels are a line's: marks on a sheet, a byte for each pixel of the box round them. Otherwise they are sorted.
+/// O(N) where the pixels are a line's: marks on a sheet, a byte for each pixel of the box round them. Otherwise they
+/// are sorted.
 pub(super) fn tolerant_jaccard(profile: &[u64], curve: &[u64]) -> Result<f64> {
     let (mut least, mut most) = ([u64::MAX; 2], [0; 2]);
     for &pixel in profile.iter().chain(curve) {

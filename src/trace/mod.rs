@@ -1,9 +1,9 @@
 //! From pixels to piecewise splines.
 //!
-//! [`trace`] does it at once, [`Tracer`] in steps that can be stopped; [`TraceOptions`] say whether outlines of ink, edges
-//! or centre lines are wanted. Ink is followed where the brightness crosses a threshold, and the curves are moved until
-//! they cover of every pixel what the picture says. The steps of the weighted quasi-interpolant, from edges to the
-//! spline of a tube, are here one by one as well.
+//! [`trace`] does it at once, [`Tracer`] in steps that can be stopped; [`TraceOptions`] say whether outlines of ink,
+//! edges or centre lines are wanted. Ink is followed where the brightness crosses a threshold, and the curves are moved
+//! until they cover of every pixel what the picture says. The steps of the weighted quasi-interpolant, from edges to
+//! the spline of a tube, are here one by one as well.
 //!
 //! ```
 //! use expline::trace::{Gray, TraceOptions, trace};

@@ -30,24 +30,28 @@ pub struct TraceOptions {
     pub source: Source,
     /// By which spline.
     pub model: Model,
-    /// The shade between ink and paper, 0 … 255; found if it is not given, and dark ink on paper in uneven light is then followed as if
-    /// the light were even (D 14.24).
+    /// The shade between ink and paper, 0 … 255; found if it is not given, and dark ink on paper in uneven light is
+    /// then followed as if the light were even (D 14.24).
     pub threshold: Option<f64>,
-    /// The deviation in pixels of the Gaussian that the picture is blurred by before contours are looked for; found if it is not given.
+    /// The deviation in pixels of the Gaussian that the picture is blurred by before contours are looked for; found if
+    /// it is not given.
     pub blur: Option<f64>,
     /// Light ink on dark paper. What is light and lies on a transparent ground is ink in any case.
     pub inverted: bool,
-    /// Contours that enclose fewer square pixels are left out, and edges that are shorter than the outline of a square of so many. If it is not
-    /// given that is 2, but where nothing is noise and strokes are thin, refined outlines of dots with gray at their edges are kept from a quarter of a
-    /// pixel at the threshold on: no dust is as small in a drawing that is itself.
+    /// Contours that enclose fewer square pixels are left out, and edges that are shorter than the outline of a square
+    /// of so many. If it is not given that is 2, but where nothing is noise and strokes are thin, refined outlines of
+    /// dots with gray at their edges are kept from a quarter of a pixel at the threshold on: no dust is as small in a
+    /// drawing that is itself.
     pub speckle: Option<f64>,
     /// The least turning of a corner, in radians.
     pub corner: f64,
-    /// How far the first curve of a contour may be from its points, in pixels, about: pieces are fitted to places half a pixel apart, and the
-    /// ends of a piece, corners and pieces of two pixels may be farther: of smooth shapes the largest distance was up to 1.3 times as much at the
-    /// default, and 5 times at .05. A refined curve begins within .18 and goes where the picture says; above the default joints may leave
-    /// more in proportion. Twice as much is allowed in noise, three times where pixels only say which centres are inside.
-    /// What was reached is [`Metrics::max`](super::Metrics::max). Where a picture was scaled up by repeating pixels, this counts in those pixels.
+    /// How far the first curve of a contour may be from its points, in pixels, about: pieces are fitted to places half
+    /// a pixel apart, and the ends of a piece, corners and pieces of two pixels may be farther: of smooth shapes the
+    /// largest distance was up to 1.3 times as much at the default, and 5 times at .05. A refined curve begins within
+    /// .18 and goes where the picture says; above the default joints may leave more in proportion. Twice as much is
+    /// allowed in noise, three times where pixels only say which centres are inside. What was reached is
+    /// [`Metrics::max`](super::Metrics::max). Where a picture was scaled up by repeating pixels, this counts in those
+    /// pixels.
     pub tolerance: f64,
     /// Whether curves are refined against the picture's coverage.
     pub refined: bool,
@@ -76,7 +80,8 @@ impl Default for TraceOptions {
 }
 
 impl TraceOptions {
-    /// Whether paper is looked for, and the light that falls on it: edges need none, and on a dark ground there is little to see.
+    /// Whether paper is looked for, and the light that falls on it: edges need none, and on a dark ground there is
+    /// little to see.
     pub(super) fn finds_light(&self) -> bool {
         self.source != Source::Edges && self.threshold.is_none() && !self.inverted
     }

@@ -110,7 +110,8 @@ impl Outline {
         })
     }
 
-    /// Whether it has about the area of what it is the outline of, or a share of that at least: two sides that became one line enclose nothing.
+    /// Whether it has about the area of what it is the outline of, or a share of that at least: two sides that became
+    /// one line enclose nothing.
     pub(super) fn encloses(&self, area: f64, share: f64) -> bool {
         is_about(self.area(), area, share)
     }
@@ -188,8 +189,8 @@ impl Outline {
         halved
     }
 
-    /// Makes lines of cubics that hardly bend: by less than a twentieth of a pixel between corners, a fiftieth beside a smooth joint,
-    /// if the neighbours that turn with them hardly move either.
+    /// Makes lines of cubics that hardly bend: by less than a twentieth of a pixel between corners, a fiftieth beside a
+    /// smooth joint, if the neighbours that turn with them hardly move either.
     pub(super) fn straighten(&mut self) {
         for i in 0..self.len() {
             let next = self.next(i);

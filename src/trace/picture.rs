@@ -1,4 +1,5 @@
-//! Pictures and what is seen in them without curves: shades, light, tones, the iso-contours of ink, marks of single pixels, colours in layers.
+//! Pictures and what is seen in them without curves: shades, light, tones, the iso-contours of ink, marks of single
+//! pixels, colours in layers.
 
 pub(super) mod bitmap;
 pub(super) mod blocks;

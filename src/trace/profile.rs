@@ -44,7 +44,8 @@ impl Default for ProfileOptions {
 }
 
 impl ProfileOptions {
-    /// The method as it was published, for centres of pixels: quadratic splines, means of neighbours, every point left out once.
+    /// The method as it was published, for centres of pixels: quadratic splines, means of neighbours, every point left
+    /// out once.
     pub fn printed() -> Self {
         Self {
             method: Method::Mean(Rule::Least),
@@ -65,13 +66,14 @@ pub struct Profile {
 }
 
 impl Chain {
-    /// How much of the chain on both sides of a point says what its tangent is: 2 pixels and ten times the noise, from 3 to 8 pixels.
+    /// How much of the chain on both sides of a point says what its tangent is: 2 pixels and ten times the noise, from
+    /// 3 to 8 pixels.
     pub fn window(&self) -> f64 {
         (10.0 * self.noise() + 2.0).clamp(3.0, 8.0)
     }
 
-    /// Where a closed chain begins: at the cusp nearest to the lower left, or, without cusps, in the middle of its straightest
-    /// stretch, where the tangent is known best. An open chain begins at its first point.
+    /// Where a closed chain begins: at the cusp nearest to the lower left, or, without cusps, in the middle of its
+    /// straightest stretch, where the tangent is known best. An open chain begins at its first point.
     pub fn start(&self, cusps: &[Cusp], window: f64) -> usize {
         if !self.is_closed() {
             return 0;
@@ -94,13 +96,13 @@ impl Chain {
 
     /// Follows the chain by one spline per tube: cusps, tubes, joints, splines.
     ///
-    /// Splines meet at the cusps' own points, and elsewhere at the smoothed point of the chain, with its tangent: the curve is
-    /// smooth there.
+    /// Splines meet at the cusps' own points, and elsewhere at the smoothed point of the chain, with its tangent: the
+    /// curve is smooth there.
     ///
     /// # Domain
     ///
-    /// Points in pixels, about one apart, as edges have them: windows, corners and noise are known in pixels. Scale others: a circle of 150 points is
-    /// off by a thousandth of its radius at 10, by a third at 1.
+    /// Points in pixels, about one apart, as edges have them: windows, corners and noise are known in pixels. Scale
+    /// others: a circle of 150 points is off by a thousandth of its radius at 10, by a third at 1.
     ///
     /// # Errors
     ///

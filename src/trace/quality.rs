@@ -11,13 +11,14 @@ const NEAR: f64 = 0.18;
 /// How far steps of a nearly level edge are from it, in pixels: a half, and what evening leaves out.
 const LEVEL: f64 = 0.6;
 
-/// What scaling up leaves of pixels in edges has the period of the old ones, which is twice the deviation of the blur. Blurred once more by so many
-/// times as much, a twentieth of it stays.
+/// What scaling up leaves of pixels in edges has the period of the old ones, which is twice the deviation of the blur.
+/// Blurred once more by so many times as much, a twentieth of it stays.
 const EVENED: f64 = 0.8;
 /// The farthest that a picture may be blurred by both, a deviation in pixels, to be compared with outlines.
 const SOFTEST: f64 = 2.6;
 
-/// By how much a picture of a softness is blurred once more, so that edges do not wind with the pixels that were scaled up.
+/// By how much a picture of a softness is blurred once more, so that edges do not wind with the pixels that were scaled
+/// up.
 pub(super) fn evened(softness: f64) -> f64 {
     smaller(EVENED * softness, (SOFTEST * SOFTEST - softness * softness).max(0.0).sqrt())
 }

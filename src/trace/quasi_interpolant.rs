@@ -41,8 +41,8 @@ pub enum Estimator {
         /// How many neighbours.
         k: usize,
     },
-    /// The spline on the same knots that is nearest, in the mean square, to the points of some pieces around, of which one coefficient
-    /// is taken (D 14.10).
+    /// The spline on the same knots that is nearest, in the mean square, to the points of some pieces around, of which
+    /// one coefficient is taken (D 14.10).
     Projected {
         /// How many pieces on both sides of a B-spline's support count.
         reach: usize,
@@ -59,9 +59,10 @@ pub struct QuasiInterpolant {
 impl QuasiInterpolant {
     /// The quasi-interpolant of `cloud` on `knots`, with `ends` held as they say.
     ///
-    /// With [`Estimator::Mean`] constants are reproduced, and the spline stays between the least and the largest ordinate;
-    /// with [`Estimator::Local`] all polynomials of the degree are reproduced; with [`Estimator::Projected`] all splines on the
-    /// knots are, but for about a thousandth of the jumps of their highest derivative, where every piece has a point or more.
+    /// With [`Estimator::Mean`] constants are reproduced, and the spline stays between the least and the largest
+    /// ordinate; with [`Estimator::Local`] all polynomials of the degree are reproduced; with [`Estimator::Projected`]
+    /// all splines on the knots are, but for about a thousandth of the jumps of their highest derivative, where every
+    /// piece has a point or more.
     ///
     /// # Errors
     ///

@@ -1,4 +1,5 @@
-//! All outlines of a picture refined against it, one after another: first as they are, then with fewer and fewer joints.
+//! All outlines of a picture refined against it, one after another: first as they are, then with fewer and fewer
+//! joints.
 
 mod again;
 mod bends;
@@ -53,7 +54,8 @@ const STEPS: (usize, f64) = (6, 0.02);
 const LAST_STEPS: (usize, f64) = (8, 4e-3);
 /// And where a step takes only its share.
 const SHARED_STEPS: (usize, f64) = (12, 4e-3);
-/// Pictures that say only which centres are inside are blurred by so many pixels, together with the coverage of their outlines (D 14.27).
+/// Pictures that say only which centres are inside are blurred by so many pixels, together with the coverage of their
+/// outlines (D 14.27).
 const AVERAGED: f64 = 1.2;
 
 /// Another first outline of a contour.
@@ -115,7 +117,8 @@ struct Place {
     at: usize,
     /// The node of a long outline that moves next, or the piece that is shown next.
     block: usize,
-    /// Whether the outline takes the place of another and is not yet in the field, and the outline until the other has gone.
+    /// Whether the outline takes the place of another and is not yet in the field, and the outline until the other has
+    /// gone.
     arriving: bool,
     coming: Option<Outline>,
     /// The steps of the nodes that are moving.
@@ -159,7 +162,8 @@ enum Phase {
 }
 
 impl Refinement {
-    /// Begins with outlines of contours, some of which stay as they are. A noisy or soft picture is blurred; by how much is found.
+    /// Begins with outlines of contours, some of which stay as they are. A noisy or soft picture is blurred; by how
+    /// much is found.
     pub(super) fn new<'a>(
         pixels: Pixels<'_>,
         shading: &Shading,
@@ -210,7 +214,8 @@ impl Refinement {
         })
     }
 
-    /// Joints may go that leave so much more as the tolerance, in pixels, is above the usual one; corners turn by at least an angle.
+    /// Joints may go that leave so much more as the tolerance, in pixels, is above the usual one; corners turn by at
+    /// least an angle.
     pub(super) fn allow(&mut self, tolerance: f64, corner: f64) {
         self.bends.corner = corner;
         let scale = (tolerance / USUAL).max(1.0);
@@ -219,7 +224,8 @@ impl Refinement {
         self.limits.off *= scale;
     }
 
-    /// Outlines are those of strokes of which no pixel need be all ink, and have about this share of the areas of their contours.
+    /// Outlines are those of strokes of which no pixel need be all ink, and have about this share of the areas of their
+    /// contours.
     pub(super) fn expect_strokes(&mut self, share: f64) {
         self.share = share;
         self.refiner = Refiner::new(Relaxing::SHARED);
@@ -278,7 +284,8 @@ impl Refinement {
         Ok(cost)
     }
 
-    /// The field becomes as blurred as the picture. What an outline lacks is then spread over more pixels, and less of it in each.
+    /// The field becomes as blurred as the picture. What an outline lacks is then spread over more pixels, and less of
+    /// it in each.
     fn blur_on(&mut self) -> Result<()> {
         if let Some(blurring) = &mut self.blurring
             && blurring.step(&mut self.field)?

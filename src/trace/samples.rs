@@ -76,7 +76,8 @@ impl Samples {
         Ok(Self { ring: points, count, spacing, closed: true })
     }
 
-    /// The closed polyline with every place at the mean of those around it, weighted by a Gaussian of so many pixels along the polyline.
+    /// The closed polyline with every place at the mean of those around it, weighted by a Gaussian of so many pixels
+    /// along the polyline.
     pub(super) fn evened(&self, deviation: f64) -> Result<Self> {
         let half = half_gaussian(deviation / self.spacing);
         let mean = |i: isize| {
@@ -144,7 +145,8 @@ impl Samples {
         (distance / self.spacing).round() as isize
     }
 
-    /// Places `first` to `last` around the polyline, both included, at most once around; what is beyond the end of an open one is left out.
+    /// Places `first` to `last` around the polyline, both included, at most once around; what is beyond the end of an
+    /// open one is left out.
     pub(super) fn stretch(&self, first: isize, last: isize) -> &[Point] {
         let count = self.count as isize;
         let start = match first {
@@ -158,15 +160,15 @@ impl Samples {
         &self.ring[inside(start).min(end)..end]
     }
 
-    /// What is so many places before, at and after every place, from the first one on that has so many before it without going round;
-    /// nothing where they would meet.
+    /// What is so many places before, at and after every place, from the first one on that has so many before it
+    /// without going round; nothing where they would meet.
     pub(super) fn surroundings(&self, reach: usize) -> [&[Point]; 3] {
         let rounds = if 2 * reach > self.count { 0 } else { self.count.min(self.ring.len() - 2 * reach) };
         [0, 1, 2].map(|k| self.ring.get(k * reach..k * reach + rounds).unwrap_or_default())
     }
 
-    /// The place and the tangent at index i, from a cubic in the distance: over as much on both sides, from `least` up to
-    /// `most` places, as the cubic stays near to.
+    /// The place and the tangent at index i, from a cubic in the distance: over as much on both sides, from `least` up
+    /// to `most` places, as the cubic stays near to.
     pub(super) fn smoothed(&self, i: isize, least: isize, most: isize) -> (Point, Vector) {
         let mut reach = least.max(3);
         let mut found = self.cubic(i, reach);
@@ -227,8 +229,8 @@ impl Samples {
         false
     }
 
-    /// Whether the size of the curvature at place i is surely from `least` to `most`: the angle is at least its sine and at most its
-    /// tangent, and no angle has to be known.
+    /// Whether the size of the curvature at place i is surely from `least` to `most`: the angle is at least its sine
+    /// and at most its tangent, and no angle has to be known.
     pub(super) fn bends_between(&self, i: isize, reach: isize, [least, most]: [f64; 2]) -> bool {
         const SURELY: f64 = 1e-9;
         let (before, after) = (self.at(i) - self.at(i - reach), self.at(i + reach) - self.at(i));
@@ -319,8 +321,8 @@ impl Moments {
         Line { middle, direction: principal_axis(a, b, length, self.last - self.first) }
     }
 
-    /// Whether none of some places is farther than `most` from the line that is nearest to all in the mean square; the last ones are looked
-    /// at first.
+    /// Whether none of some places is farther than `most` from the line that is nearest to all in the mean square; the
+    /// last ones are looked at first.
     #[inline]
     pub(super) fn is_line(&self, points: &[Point], most: f64) -> bool {
         let (middle, [a, b, length]) = self.axis();
@@ -334,8 +336,8 @@ impl Moments {
     }
 }
 
-/// The direction of the larger moment, on the side of a way: half the angle of (a, b) = (xx − yy, 2xy), whose length is given, without
-/// angles.
+/// The direction of the larger moment, on the side of a way: half the angle of (a, b) = (xx − yy, 2xy), whose length is
+/// given, without angles.
 #[inline]
 pub(super) fn principal_axis(a: f64, b: f64, length: f64, way: Vector) -> Vector {
     let axis = unit(half_angle(a, b, length, way));

@@ -12,8 +12,8 @@ use crate::error::{Error, Result};
 ///
 /// # Cost
 ///
-/// O(pixels + length of the contours). Memory: 4 to 6 bytes for each pixel of drawings, noisy ones, too, the picture's own 2 among
-/// them; 30 where outlines fill the picture, as a spiral of thin lines does.
+/// O(pixels + length of the contours). Memory: 4 to 6 bytes for each pixel of drawings, noisy ones, too, the picture's
+/// own 2 among them; 30 where outlines fill the picture, as a spiral of thin lines does.
 pub struct Tracer {
     work: Box<dyn Work>,
     /// The squares that are traced instead of pixels.
@@ -22,7 +22,8 @@ pub struct Tracer {
     failed: Option<Error>,
 }
 
-/// How far it is. Nobody looks through a picture and all outlines, and what would print them weighs kilobytes in the wasm.
+/// How far it is. Nobody looks through a picture and all outlines, and what would print them weighs kilobytes in the
+/// wasm.
 impl core::fmt::Debug for Tracer {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_struct("Tracer").field("progress", &self.work.progress()).finish_non_exhaustive()
@@ -55,8 +56,8 @@ impl Tracer {
         Ok(Self { work, blocks, failed: None })
     }
 
-    /// Goes on for about `budget` microseconds, at least by the least bit of work, and no further than to the next stage. Whoever wants no
-    /// more just stops.
+    /// Goes on for about `budget` microseconds, at least by the least bit of work, and no further than to the next
+    /// stage. Whoever wants no more just stops.
     ///
     /// # Errors
     ///
@@ -78,8 +79,8 @@ impl Tracer {
         Ok(progress)
     }
 
-    /// After a step was refused for too many contours: the least speckle, in square pixels, that leaves as many as are allowed.
-    /// There is none for centre lines.
+    /// After a step was refused for too many contours: the least speckle, in square pixels, that leaves as many as are
+    /// allowed. There is none for centre lines.
     pub fn offer(&self) -> Option<f64> {
         Some(self.work.offer()? * self.blocks.map_or(1.0, |blocks| blocks.area()))
     }

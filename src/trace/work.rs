@@ -56,7 +56,8 @@ pub struct Trace {
     pub contours: Vec<TracedContour>,
     /// Ink, paper and noise.
     pub tones: Tones,
-    /// The root mean square difference between the picture and the coverage of the curves near them; 0 without refinement.
+    /// The root mean square difference between the picture and the coverage of the curves near them; 0 without
+    /// refinement.
     pub residual: f64,
 }
 

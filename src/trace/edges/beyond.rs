@@ -1,7 +1,9 @@
-//! Strokes that the border of the picture cuts off, gone on with beyond it, so that their centre lines run straight to it.
+//! Strokes that the border of the picture cuts off, gone on with beyond it, so that their centre lines run straight to
+//! it.
 //!
-//! Where a stroke is cut off, its outline turns and follows the border. Taken for an end of the stroke, that would stop the centre
-//! line half a width before the border, and where the stroke comes at an angle, lead it into the sharper corner.
+//! Where a stroke is cut off, its outline turns and follows the border. Taken for an end of the stroke, that would stop
+//! the centre line half a width before the border, and where the stroke comes at an angle, lead it into the sharper
+//! corner.
 
 use crate::error::Result;
 use crate::limits::with_room;
@@ -40,8 +42,8 @@ struct Cut {
     width: f64,
 }
 
-/// Lets outlines of strokes that the border cuts off go on, and draws their ink in a wider picture, which has a margin of so many
-/// pixels on each side; `None` where there are none.
+/// Lets outlines of strokes that the border cuts off go on, and draws their ink in a wider picture, which has a margin
+/// of so many pixels on each side; `None` where there are none.
 pub(super) fn go_on(gray: &Gray, sign: f64, contours: &mut [Contour]) -> Result<Option<(Gray, usize)>> {
     let size = Vector::new(gray.width() as f64, gray.height() as f64);
     let mut cuts = Vec::new();
@@ -165,7 +167,8 @@ impl Cut {
         self.length + self.width
     }
 
-    /// Draws what goes on into a picture with a margin: along its way every pixel has the shade that the stroke has on the border.
+    /// Draws what goes on into a picture with a margin: along its way every pixel has the shade that the stroke has on
+    /// the border.
     fn paint(&self, gray: &Gray, sign: f64, margin: f64, wide: &mut Gray) {
         let size = Vector::new(gray.width() as f64, gray.height() as f64);
         let from = self.middle + Vector::new(margin, margin);

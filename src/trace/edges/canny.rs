@@ -46,14 +46,15 @@ impl Edges {
 
 /// Finds the edges of a picture: a Gaussian, Sobel's gradient, its maxima across the edge, and two thresholds.
 ///
-/// A place is a maximum if no neighbour along the axis that the gradient is nearer to is larger; the vertex of the parabola through the
-/// three is where the edge is. The upper threshold is Otsu's over all maxima, at most 0.6 of the largest; weaker places count where
-/// they are joined to stronger ones. A mirrored picture has the mirrored edges, to the last bit.
+/// A place is a maximum if no neighbour along the axis that the gradient is nearer to is larger; the vertex of the
+/// parabola through the three is where the edge is. The upper threshold is Otsu's over all maxima, at most 0.6 of the
+/// largest; weaker places count where they are joined to stronger ones. A mirrored picture has the mirrored edges, to
+/// the last bit.
 ///
 /// # Errors
 ///
-/// A deviation that is not within 0.3 … 8, thresholds below 0 or `low` above `high`; a picture with more places than half of its
-/// pixels and 65,536.
+/// A deviation that is not within 0.3 … 8, thresholds below 0 or `low` above `high`; a picture with more places than
+/// half of its pixels and 65,536.
 ///
 /// # Cost
 ///

@@ -31,7 +31,8 @@ struct Evidence {
     ends: [Vec<(Point, Vector)>; 2],
 }
 
-/// Every line where the outlines have it: means of the centres along it, out to the middles of round ends and to where lines meet.
+/// Every line where the outlines have it: means of the centres along it, out to the middles of round ends and to where
+/// lines meet.
 pub(super) fn centred(lines: &[Chain], sides: &[Side], half_width: f64) -> Result<Vec<Chain>> {
     let spines: Vec<Spine> = lines.iter().map(|line| Spine::new(line, half_width)).collect();
     let evidence = gather(&spines, sides, half_width);
@@ -143,7 +144,8 @@ impl Spine {
         self.points[if last { self.points.len() - 1 } else { 0 }]
     }
 
-    /// Ends a stroke so thin that few places of its outline are about its end: straight on, as far as these or the skeleton have it.
+    /// Ends a stroke so thin that few places of its outline are about its end: straight on, as far as these or the
+    /// skeleton have it.
     fn end_freely(&self, points: &mut Vec<Point>, last: bool, evidence: &Evidence, half_width: f64) {
         let (centres, outward) = (&evidence.ends[usize::from(last)], self.outward(last, half_width));
         let mut end = if centres.is_empty() { self.end(last) } else { cap(centres, outward, half_width) };
@@ -154,7 +156,8 @@ impl Spine {
         end_at(points, last, end, outward, 0.5, half_width);
     }
 
-    /// A disc wider than the strokes is a ring whose hole is filled: its centre line is a circle. `None` for other lines.
+    /// A disc wider than the strokes is a ring whose hole is filled: its centre line is a circle. `None` for other
+    /// lines.
     fn filled_ring(&self, evidence: &Evidence, half_width: f64) -> Option<Vec<Point>> {
         let ends = evidence.ends.iter().flatten().map(|&(centre, _)| centre);
         let mut centres: Vec<Point> = ends.chain(evidence.beside.iter().map(|&(_, p)| p)).collect();

@@ -89,7 +89,8 @@ pub(in crate::trace) fn centre_lines(
     let place =
         |(column, row): Pixel| Point::new(f64::from(column) + 0.5 - margin, f64::from(row) + 0.5 - margin);
     let chains = join(&graph, &place, &rule)?;
-    // In ink that is no stroke, as a sheet of it with holes, middles of what are no two sides may lie beyond the picture, too.
+    // In ink that is no stroke, as a sheet of it with holes, middles of what are no two sides may lie beyond the
+    // picture, too.
     let chains = inside(centred(&chains, &sides, half_width)?, gray)?;
     Ok(CentreLines { chains, half_width })
 }

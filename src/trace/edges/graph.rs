@@ -30,8 +30,8 @@ struct Builder<'a> {
     graph: Graph,
 }
 
-/// The graph of lines that are one pixel wide: pixels with one joined neighbour are ends, with three or more junctions; junction
-/// pixels side by side are one node.
+/// The graph of lines that are one pixel wide: pixels with one joined neighbour are ends, with three or more junctions;
+/// junction pixels side by side are one node.
 ///
 /// # Cost
 ///

@@ -37,11 +37,12 @@ struct Strand {
     ring: bool,
 }
 
-/// The profiles of a picture: edge points in order, one chain for every line of them, through lines going on through junctions.
+/// The profiles of a picture: edge points in order, one chain for every line of them, through lines going on through
+/// junctions.
 ///
-/// Lines are thinned to one pixel. Branches to an end shorter than 5 pixels, or three deviations of the blur, go; at a junction the
-/// straightest pairs go on as each other if they turn by less than 30°; lines of fewer than 6 points go; ends within 3 pixels
-/// whose tangents agree within 25° are joined.
+/// Lines are thinned to one pixel. Branches to an end shorter than 5 pixels, or three deviations of the blur, go; at a
+/// junction the straightest pairs go on as each other if they turn by less than 30°; lines of fewer than 6 points go;
+/// ends within 3 pixels whose tangents agree within 25° are joined.
 ///
 /// # Errors
 ///
@@ -155,8 +156,8 @@ fn leaving(strand: &Strand, last: bool, rule: &StrandRule) -> Vector {
     }
 }
 
-/// At every node the ends that go on as each other: the two at a bend, and the straightest pairs at a junction. Ends are numbered
-/// two to a strand.
+/// At every node the ends that go on as each other: the two at a bend, and the straightest pairs at a junction. Ends
+/// are numbered two to a strand.
 fn continuations(
     strands: &[Strand],
     ends: &[[usize; 2]],

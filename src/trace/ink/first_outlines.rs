@@ -17,7 +17,8 @@ use crate::trace::samples::Samples;
 
 /// How far the contour of an ellipse may be from it, in pixels.
 pub(super) const ROUND: f64 = 0.16;
-/// Contours of sampled edges are evened over so many pixels before their first outline is made, the deviation of a Gaussian.
+/// Contours of sampled edges are evened over so many pixels before their first outline is made, the deviation of a
+/// Gaussian.
 const EVENED: f64 = 1.7;
 
 /// Bytes that corners and a first outline take for each place of their contour, at most.
@@ -74,7 +75,8 @@ impl InkWork {
         Ok(0.25 * samples.len() as f64)
     }
 
-    /// First what pixels say of each contour; then places along one, and its corners: what it cost, and whether that was all.
+    /// First what pixels say of each contour; then places along one, and its corners: what it cost, and whether that
+    /// was all.
     pub(super) fn corner(&mut self, i: usize) -> Result<(f64, bool)> {
         let next = self.kinds.len();
         if next < self.found.len() {

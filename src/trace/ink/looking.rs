@@ -18,20 +18,22 @@ use crate::trace::work::Stage;
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
 const NOISY: f64 = 3.0 / 255.0;
-/// The blur of a picture from which on it is not taken for exact coverage, a deviation in pixels: what scales pictures down leaves less.
+/// The blur of a picture from which on it is not taken for exact coverage, a deviation in pixels: what scales pictures
+/// down leaves less.
 const SOFT: f64 = 0.4;
 /// Contours of less area, in pixels, are noise in a noisy picture.
 const NOISY_SPECKLE: f64 = 6.0;
-/// Thin strokes beside others are looked for where they would break in so many places: the tips of a star or two are as many. Where all is thin, one
-/// is enough.
+/// Thin strokes beside others are looked for where they would break in so many places: the tips of a star or two are as
+/// many. Where all is thin, one is enough.
 const THIN: usize = 12;
-/// In pictures of more pixels nobody sees a stroke of less than one, and outlines all over take all the memory that there is.
+/// In pictures of more pixels nobody sees a stroke of less than one, and outlines all over take all the memory that
+/// there is.
 const MOST_LIFTED: usize = 1 << 22;
-/// Contours of this area, in pixels, are those of dots, or of holes, in drawings of thin strokes. They are smaller than what they are contours of: of
-/// what pixels share little is above half.
+/// Contours of this area, in pixels, are those of dots, or of holes, in drawings of thin strokes. They are smaller than
+/// what they are contours of: of what pixels share little is above half.
 const FINE: f64 = 0.25;
-/// Beside thicker strokes, in pixels, small things are dust, or crumbs. A stroke has π/8 of the area of one that is a pixel thick
-/// for each place of its contour, which are where it crosses rows and columns of centres.
+/// Beside thicker strokes, in pixels, small things are dust, or crumbs. A stroke has π/8 of the area of one that is a
+/// pixel thick for each place of its contour, which are where it crosses rows and columns of centres.
 const THICK: f64 = 4.0;
 /// Pixels of one bit of work.
 const BIT: usize = 131_072;
@@ -103,7 +105,8 @@ impl InkWork {
         self.may_be_fine() && is_thin && found.len() <= self.options.most_contours
     }
 
-    /// Whether the picture is blurred; then its contours are looked for once more, where they do not wind as scaling up makes them.
+    /// Whether the picture is blurred; then its contours are looked for once more, where they do not wind as scaling up
+    /// makes them.
     fn is_soft(&mut self, found: &[Contour]) -> Result<bool> {
         if self.quality != Quality::Clean
             || self.options.blur.is_some()

@@ -1,5 +1,5 @@
-//! How much there is in a small contour. Between centres of pixels it cuts corners, by half a pixel of a pixel, and encloses half of a dot hardly
-//! larger than one: whether it is a speck is said by what pixels are covered by.
+//! How much there is in a small contour. Between centres of pixels it cuts corners, by half a pixel of a pixel, and
+//! encloses half of a dot hardly larger than one: whether it is a speck is said by what pixels are covered by.
 
 use crate::numerics::Point;
 use crate::numerics::plane::{larger, smaller};
@@ -26,7 +26,8 @@ pub(super) fn is_shaded(contour: &Contour, gray: &Gray, tones: &Tones, shade: (f
     contour.points.len() <= SMALL && amount(contour, gray, tones, shade) > 0.0
 }
 
-/// The ink inside and beside a contour, or the paper of a hole; none where all pixels are of two tones, as what is lost on a scan is.
+/// The ink inside and beside a contour, or the paper of a hole; none where all pixels are of two tones, as what is lost
+/// on a scan is.
 fn amount(contour: &Contour, gray: &Gray, tones: &Tones, (level, inverted): (f64, bool)) -> f64 {
     let light = inverted == (contour.area > 0.0);
     let ink = |x: usize, y: usize| {

@@ -1,9 +1,9 @@
 //! What is all ink in a drawing of strokes so thin that no pixel need be all ink.
 //!
 //! The darkest pixel of such strokes lacks of their ink what it lacks of being covered: taken for ink it makes them as
-//! much too thick. But it may show the ink, too, if that is gray. So outlines are refined by inks between that shade and
-//! black, or white on a dark ground, and the one that explains the picture best is the ink (D 14.28). Where many do, as
-//! where all strokes run along rows or columns, it is black or white.
+//! much too thick. But it may show the ink, too, if that is gray. So outlines are refined by inks between that shade
+//! and black, or white on a dark ground, and the one that explains the picture best is the ink (D 14.28). Where many
+//! do, as where all strokes run along rows or columns, it is black or white.
 
 use super::{InkWork, Kind, Phase};
 use crate::error::Result;
@@ -20,32 +20,35 @@ const BLACK: f64 = 0.0;
 const WHITE: f64 = 65_280.0;
 /// What the rounding of bytes leaves, in shades, with a little more: nothing can be better.
 const EXACT: f64 = 192.0;
-/// Along rows and columns the ink that was seen leaves no more than this, in shades, whatever the ink is: the extreme one is it if it leaves no
-/// more than that, as outlines that it shrinks have some steps left then.
+/// Along rows and columns the ink that was seen leaves no more than this, in shades, whatever the ink is: the extreme
+/// one is it if it leaves no more than that, as outlines that it shrinks have some steps left then.
 const NOTHING: f64 = 64.0;
 const PERHAPS: f64 = 1024.0;
-/// Elsewhere the ink that was seen is better than the extreme one if that leaves so many times as much: of gray strokes 1.2 and 1.5 pixels wide it mostly
-/// leaves 2 to 20 times as much, of black ones of .85 pixels and more hardly ever so much.
+/// Elsewhere the ink that was seen is better than the extreme one if that leaves so many times as much: of gray strokes
+/// 1.2 and 1.5 pixels wide it mostly leaves 2 to 20 times as much, of black ones of .85 pixels and more hardly ever so
+/// much.
 const CLEARLY: f64 = 1.6;
-/// The extreme ink may leave so many times as much as the best, and so much more, in shades: of strokes half a pixel wide it leaves up to 2.1 times as
-/// much where it is the ink, and from 2.6 times on where the ink is gray.
+/// The extreme ink may leave so many times as much as the best, and so much more, in shades: of strokes half a pixel
+/// wide it leaves up to 2.1 times as much where it is the ink, and from 2.6 times on where the ink is gray.
 const AS_WELL: f64 = 2.2;
 const LITTLE: f64 = 64.0;
 /// Inks that are tried, at most.
 const MOST: usize = 5;
 /// Every ink is at least this part of a stretch away from its ends.
 const APART: f64 = 0.1;
-/// Outlines begin so far inside a pixel that has ink beside one that has none, of which at most this share: a side in the pixel without ink would
-/// not be called into the other.
+/// Outlines begin so far inside a pixel that has ink beside one that has none, of which at most this share: a side in
+/// the pixel without ink would not be called into the other.
 const INSIDE: f64 = 0.2;
 const NO_INK: f64 = 0.1;
-/// Contours are followed so far from paper to the darkest shade: half-way, strokes would break where they run between two rows of pixels.
+/// Contours are followed so far from paper to the darkest shade: half-way, strokes would break where they run between
+/// two rows of pixels.
 const LEVEL: f64 = 0.4;
-/// Strokes are lifted while their contours are looked for if the darkest shade is so far on the way from paper to the extreme one: where it is farther
-/// from that, the picture is soft or its ink gray, and nothing breaks.
+/// Strokes are lifted while their contours are looked for if the darkest shade is so far on the way from paper to the
+/// extreme one: where it is farther from that, the picture is soft or its ink gray, and nothing breaks.
 const DARK: f64 = 0.7;
 
-/// What outlines of lifted strokes have of the area of their contours, at least; where there is as much as that, others are as large as they are.
+/// What outlines of lifted strokes have of the area of their contours, at least; where there is as much as that, others
+/// are as large as they are.
 const LIFTED: f64 = 0.45;
 
 /// The inks on trial.
@@ -55,7 +58,8 @@ pub(super) struct Strokes {
     inverted: bool,
     /// The outlines before they are refined.
     first: Vec<Outline>,
-    /// The ink on trial, and those that were tried, with what they left: 0 is the darkest shade that was seen, 1 the extreme one.
+    /// The ink on trial, and those that were tried, with what they left: 0 is the darkest shade that was seen, 1 the
+    /// extreme one.
     depth: f64,
     tried: Vec<(f64, f64)>,
 }
@@ -122,7 +126,8 @@ impl Strokes {
         if extreme <= AS_WELL * best.1 + LITTLE && extreme <= CLEARLY * seen { 1.0 } else { best.0 }
     }
 
-    /// An ink beside the best one: at the vertex of the parabola through it and its neighbours, or half-way to its only neighbour.
+    /// An ink beside the best one: at the vertex of the parabola through it and its neighbours, or half-way to its only
+    /// neighbour.
     fn between(&self) -> f64 {
         let mut inks = self.tried.clone();
         sort_by_number(&mut inks, &|ink| ink.0);
@@ -163,7 +168,8 @@ impl InkWork {
         Ok(())
     }
 
-    /// Outlines that were refined by the ink on trial leave so much of coverage: it stays, or it begins again with another one.
+    /// Outlines that were refined by the ink on trial leave so much of coverage: it stays, or it begins again with
+    /// another one.
     pub(super) fn judge_ink(&mut self, left: f64) -> Result<()> {
         let Some(strokes) = &mut self.strokes else { return Ok(()) };
         let verdict = strokes.judge(left * (self.tones.paper - self.tones.ink));
@@ -184,7 +190,8 @@ impl InkWork {
         self.refinement(Kind::Covered)
     }
 
-    /// The share of its darkest pixel that the thickest stroke covers, at most: outlines have about this share of the area of their contours.
+    /// The share of its darkest pixel that the thickest stroke covers, at most: outlines have about this share of the
+    /// area of their contours.
     pub(super) fn covered(&self) -> f64 {
         if self.lifted {
             return LIFTED;
@@ -205,7 +212,8 @@ pub(super) fn move_inside(contour: &mut [Point], gray: &Gray, tones: &Tones, (in
     };
     for p in contour {
         let (x, y) = (p.x.floor(), p.y.floor());
-        // One coordinate is that of the centres of two pixels: the other says how far the point is from the first of them.
+        // One coordinate is that of the centres of two pixels: the other says how far the point is from the first of
+        // them.
         let upright = p.x - x == 0.5;
         let at = if upright { p.y } else { p.x };
         let first = (at - 0.5).floor();

@@ -19,7 +19,8 @@ const LEAST: f64 = 1.5;
 
 /// Makes exact arcs of the pieces that are arcs as far as pixels tell; the angle of each piece, 0 where it is none.
 ///
-/// An arc has the tangents of its piece and takes as much of the corner between them: then it covers the same area (D 14.22).
+/// An arc has the tangents of its piece and takes as much of the corner between them: then it covers the same area
+/// (D 14.22).
 pub(in crate::trace) fn arcs(outline: &mut Outline, angles: &mut [f64], slack: f64) {
     let whole = angles.to_vec();
     for (i, angle) in angles.iter_mut().enumerate() {
@@ -63,7 +64,8 @@ pub(in crate::trace) struct Arc {
 }
 
 impl Arc {
-    /// The arc that touches both sides of a corner and leaves so much area between them and it, if it turns neither too little nor too much.
+    /// The arc that touches both sides of a corner and leaves so much area between them and it, if it turns neither too
+    /// little nor too much.
     pub(in crate::trace) fn in_corner(corner: Point, tangents: [Vector; 2], lost: f64) -> Option<Self> {
         let turning = turn(tangents[0], tangents[1]);
         if !(TURNING[0]..=TURNING[1]).contains(&turning.abs()) {

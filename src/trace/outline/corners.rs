@@ -12,7 +12,8 @@ use crate::trace::samples::{Line, Samples, line_through, turn, unit};
 const DOUBLE: f64 = 1.5;
 const DETOUR: f64 = 1.8;
 
-/// The cosine of the least turning at a narrow end, its least and largest width and how far its corners may be from the contour, in pixels.
+/// The cosine of the least turning at a narrow end, its least and largest width and how far its corners may be from the
+/// contour, in pixels.
 const BACK: f64 = -0.75;
 const BLUNT: f64 = 1.4;
 /// How far from a tip, in pixels, its sides may meet for it to be one.
@@ -48,8 +49,8 @@ pub(in crate::trace) struct Corner {
 /// All corners in the order of the places: those by the first rule, then those that another rule finds between them.
 /// O(places).
 ///
-/// Both sides of a place are followed by a line and by a parabola, from the gap on. The turning between the lines is that of a
-/// corner or of an arc; the turning between the parabolas' tangents at the place is small for arcs (D 14.5).
+/// Both sides of a place are followed by a line and by a parabola, from the gap on. The turning between the lines is
+/// that of a corner or of an arc; the turning between the parabolas' tangents at the place is small for arcs (D 14.5).
 pub(in crate::trace) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
     let count = samples.len() as isize;
     let mut found: Vec<Corner> = Vec::new();
@@ -89,8 +90,8 @@ pub(in crate::trace) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<
     without_doubles(found, samples)
 }
 
-/// Corners less those that are near the one before, though the contour goes a long way from one to the other: round a tip that
-/// pixels cut off both sides of it meet twice.
+/// Corners less those that are near the one before, though the contour goes a long way from one to the other: round a
+/// tip that pixels cut off both sides of it meet twice.
 fn without_doubles(found: Vec<Corner>, samples: &Samples) -> Vec<Corner> {
     let mut kept: Vec<Corner> = Vec::with_capacity(found.len());
     for corner in found {
@@ -110,7 +111,8 @@ fn reach(samples: &Samples, rule: &CornerRule) -> [usize; 2] {
     [rule.gap, rule.gap + rule.window].map(|far| samples.steps(far) as usize)
 }
 
-/// How much of a corner each place is, found when it is asked for: hardly anybody asks near corners of the rules before.
+/// How much of a corner each place is, found when it is asked for: hardly anybody asks near corners of the rules
+/// before.
 struct Scores<'a> {
     samples: &'a Samples,
     reach: [usize; 2],
@@ -159,8 +161,8 @@ fn bends(before: Point, here: Point, after: Point, cosine: f64) -> bool {
     along * along.abs() <= cosine * cosine.abs() * square(before) * square(after)
 }
 
-/// How much of a corner the place in the middle is; nothing where the cosine of the turning is larger than one of two: between
-/// lines and between tangents.
+/// How much of a corner the place in the middle is; nothing where the cosine of the turning is larger than one of two:
+/// between lines and between tangents.
 fn score(around: &[Point], [near, far]: [usize; 2], [_, least, soft]: [f64; 3]) -> f64 {
     let here = around[far];
     let sides = Sides::new(&around[..=far - near], &around[far + near..]);
@@ -193,8 +195,9 @@ fn place(samples: &Samples, i: isize, rule: &CornerRule) -> Option<Point> {
     (norm(point - samples.at(i)) <= reach).then_some(point)
 }
 
-/// The two corners of a narrow end that looks like a tip from near by, where pixels round it, though its sides do not lead there when more of
-/// them is looked at: both would become one line, with nothing inside. Nothing where it is a tip.
+/// The two corners of a narrow end that looks like a tip from near by, where pixels round it, though its sides do not
+/// lead there when more of them is looked at: both would become one line, with nothing inside. Nothing where it is a
+/// tip.
 fn rounded_end(samples: &Samples, i: isize, wide: &CornerRule, tip: Point) -> Option<[Corner; 2]> {
     let here = samples.at(i);
     if norm(tip - here) <= wide.reach {

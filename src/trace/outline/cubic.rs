@@ -56,7 +56,8 @@ impl Cubic {
         self.end - self.start - self.leaving - self.arriving
     }
 
-    /// How far it is along its control polygon by rows and columns: at least as many borders of pixels as it crosses, but for those at its ends.
+    /// How far it is along its control polygon by rows and columns: at least as many borders of pixels as it crosses,
+    /// but for those at its ends.
     pub(in crate::trace) fn taxi_length(&self) -> f64 {
         taxi(self.leaving) + taxi(self.middle()) + taxi(self.arriving)
     }

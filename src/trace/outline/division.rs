@@ -74,7 +74,8 @@ impl Division {
     ///
     /// # Cost
     ///
-    /// O(1), but for a contour without corners, whose flattest place is looked for at once: O(places). O(nodes) at last.
+    /// O(1), but for a contour without corners, whose flattest place is looked for at once: O(places). O(nodes) at
+    /// last.
     pub(in crate::trace) fn step(
         &mut self,
         samples: &Samples,
@@ -134,7 +135,8 @@ pub(in crate::trace) fn divide(samples: &Samples, corners: &[Corner], rule: &Div
     }
 }
 
-/// Divides an open line at its corners as [`divide`] does. A straight piece that leads from its end to its start closes the outline.
+/// Divides an open line at its corners as [`divide`] does. A straight piece that leads from its end to its start closes
+/// the outline.
 pub(in crate::trace) fn divide_open(samples: &Samples, corners: &[Corner], rule: &DivisionRule) -> Outline {
     let mut outline = Outline::default();
     let last = samples.len() as isize - 1;

@@ -12,7 +12,8 @@ const MOST: f64 = 0.045;
 /// And its root mean square.
 const RMS: f64 = 0.015;
 
-/// No outline may be farther from its ellipse than so many times that, and so much more for each pixel of its longer half axis.
+/// No outline may be farther from its ellipse than so many times that, and so much more for each pixel of its longer
+/// half axis.
 const FREE: f64 = 4.0;
 const LARGER: f64 = 0.035;
 
@@ -25,8 +26,8 @@ const EVEN: f64 = 0.02;
 /// Places on each piece: chords of a quarter turn lack 3e-6 of the area.
 const PLACES: usize = 256;
 
-/// The ellipse with the area, the centre and the second moments of the outline, as a curve that turns the same way, if the outline is it.
-/// `slack` is how many times farther away than in a clean picture it may be.
+/// The ellipse with the area, the centre and the second moments of the outline, as a curve that turns the same way, if
+/// the outline is it. `slack` is how many times farther away than in a clean picture it may be.
 ///
 /// Moments are means over all that is inside: they are far better known than any one point of the outline (D 14.6).
 pub(in crate::trace) fn ellipse(outline: &Outline, slack: f64) -> Result<Option<HermiteCurve>> {
@@ -86,7 +87,8 @@ fn tangent(angle: f64) -> f64 {
     sin / cos
 }
 
-/// Whether no place is farther from an ellipse than `most`, and the root mean square than `rms`; and whether they go all round it.
+/// Whether no place is farther from an ellipse than `most`, and the root mean square than `rms`; and whether they go
+/// all round it.
 fn is_near(arc: &EllipseArc, places: &[Point], most: f64, rms: f64) -> bool {
     let (sin, cos) = crate::numerics::angle::sin_cos(arc.rotation);
     let (mut square, mut reach) = (0.0, 0.0_f64);
@@ -105,7 +107,8 @@ fn is_near(arc: &EllipseArc, places: &[Point], most: f64, rms: f64) -> bool {
     near && arc.radii.x - reach <= most + TIP && square <= rms * rms * places.len() as f64
 }
 
-/// The ellipse with the moments of a polygon, and the polygon's area. Half axes that differ by less than `even` pixels are one radius.
+/// The ellipse with the moments of a polygon, and the polygon's area. Half axes that differ by less than `even` pixels
+/// are one radius.
 fn moments(places: &[Point], even: f64) -> Option<(EllipseArc, f64)> {
     let origin = places[0];
     let (mut area, mut first) = (0.0, Vector::zeros());

@@ -5,7 +5,8 @@ use super::{Node, Outline, Piece};
 use crate::numerics::Point;
 use crate::numerics::plane::{larger, smaller};
 
-/// What is beyond the picture by less than this stays, in pixels: sides along the border are as near to it as pixels say.
+/// What is beyond the picture by less than this stays, in pixels: sides along the border are as near to it as pixels
+/// say.
 const STRAY: f64 = 0.25;
 /// Parts of a piece below this share of it are none.
 const NOTHING: f64 = 1e-9;
@@ -22,8 +23,8 @@ struct Side {
 type Place = (usize, f64);
 
 impl Outline {
-    /// Cuts off what is beyond a picture of so many columns and rows, and goes along its border instead. What is beyond by less than a
-    /// quarter of a pixel stays.
+    /// Cuts off what is beyond a picture of so many columns and rows, and goes along its border instead. What is beyond
+    /// by less than a quarter of a pixel stays.
     pub(in crate::trace) fn cut_to(&mut self, [width, height]: [f64; 2]) {
         for (axis, limit, sign) in [(0, 0.0, -1.0), (1, 0.0, -1.0), (0, width, 1.0), (1, height, 1.0)] {
             let side = Side { axis, limit, sign };
@@ -46,7 +47,8 @@ impl Outline {
         rest
     }
 
-    /// Appends the pieces of another outline from a place of it to the next one, which is not a part of them; the first begins at a point.
+    /// Appends the pieces of another outline from a place of it to the next one, which is not a part of them; the first
+    /// begins at a point.
     fn append(&mut self, other: &Self, from: Place, until: Place, point: Point) {
         let (mut at, mut node) = (from, Node { point, smooth: false, kept: false });
         let count = self.len();
@@ -82,8 +84,8 @@ impl Side {
         point
     }
 
-    /// The parts of an outline that reach too far beyond the side, from where they leave the picture to where they come back; none if
-    /// all of it is outside.
+    /// The parts of an outline that reach too far beyond the side, from where they leave the picture to where they come
+    /// back; none if all of it is outside.
     #[inline(never)]
     fn beyond(&self, outline: &Outline) -> Vec<[Place; 2]> {
         let mut parts = Vec::new();
@@ -124,8 +126,8 @@ fn value(numbers: &[f64; 4], t: f64) -> f64 {
 /// Its ends, and where between them it turns around.
 fn turns(&[from, out, back, to]: &[f64; 4]) -> [f64; 4] {
     let (a, b, c) = (out - from, back - out, to - back);
-    // The slope a(1 − t)² + 2b(1 − t)t + ct² is a + 2(b − a)t + (a − 2b + c)t²: both roots without cancellation. Where there are none,
-    // two places more do no harm.
+    // The slope a(1 − t)² + 2b(1 − t)t + ct² is a + 2(b − a)t + (a − 2b + c)t²: both roots without cancellation. Where
+    // there are none, two places more do no harm.
     let (half, square) = (b - a, a - 2.0 * b + c);
     let q = -(half + (half * half - a * square).abs().sqrt().copysign(half));
     let [first, second] = [q / square, a / q].map(|t| if t > 0.0 && t < 1.0 { t } else { 0.0 });

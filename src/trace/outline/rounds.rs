@@ -63,7 +63,8 @@ pub(in crate::trace) struct Rounding {
 }
 
 impl Rounding {
-    /// Looks for runs that begin with the next pieces and are nowhere farther than `most` from an arc; whether these were the last.
+    /// Looks for runs that begin with the next pieces and are nowhere farther than `most` from an arc; whether these
+    /// were the last.
     ///
     /// # Cost
     ///
@@ -185,7 +186,8 @@ pub(super) struct Arc {
 }
 
 impl Arc {
-    /// The arc that places follow, none of them farther from it than `most` and the root mean square no larger than `rms`.
+    /// The arc that places follow, none of them farther from it than `most` and the root mean square no larger than
+    /// `rms`.
     pub(super) fn near(places: &[Point], (most, rms): (f64, f64)) -> Option<Self> {
         let circle = Circle::through(places)?;
         let Circle { center, radius } = circle;
@@ -269,7 +271,8 @@ impl Circle {
         nearer(foot, along * room.sqrt(), near)
     }
 
-    /// Goes on by equal parts of an arc from a node on, which is some way from the centre; handles are `handle` times as long as the radius.
+    /// Goes on by equal parts of an arc from a node on, which is some way from the centre; handles are `handle` times
+    /// as long as the radius.
     pub(super) fn follow(
         &self,
         outline: &mut Outline,
@@ -356,7 +359,8 @@ fn meet(outline: &mut Outline, round: &Round) {
     }
 }
 
-/// Puts arcs in place of their pieces, each found where its first piece is, the first of all at `start`; the angle of each piece.
+/// Puts arcs in place of their pieces, each found where its first piece is, the first of all at `start`; the angle of
+/// each piece.
 #[inline(never)]
 fn rebuilt(outline: &mut Outline, found: &[Option<Round>], start: usize) -> Vec<f64> {
     found.iter().flatten().for_each(|round| turn_beside(outline, round));

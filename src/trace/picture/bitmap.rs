@@ -95,7 +95,8 @@ impl Bitmap {
         bits
     }
 
-    /// The neighbours that a pixel is joined to, as bits: those beside it, and those at its corners where both pixels between are not set.
+    /// The neighbours that a pixel is joined to, as bits: those beside it, and those at its corners where both pixels
+    /// between are not set.
     pub(in crate::trace) fn joined(&self, column: usize, row: usize) -> u8 {
         let around = self.around(column, row);
         let mut bits = around & 0b0101_0101;
@@ -108,9 +109,11 @@ impl Bitmap {
         bits
     }
 
-    /// Makes lines one pixel wide, layer after layer: a pixel goes if what is around it stays joined without it and it is not an end.
+    /// Makes lines one pixel wide, layer after layer: a pixel goes if what is around it stays joined without it and it
+    /// is not an end.
     ///
-    /// Each round takes pixels from one side only, those that were at the border when it began, so that lines do not shrink along themselves.
+    /// Each round takes pixels from one side only, those that were at the border when it began, so that lines do not
+    /// shrink along themselves.
     pub(in crate::trace) fn thin(&mut self, layer: &mut Vec<(u32, u32)>) {
         let mut border: Vec<(u32, u32)> = Vec::new();
         loop {
@@ -138,8 +141,8 @@ impl Bitmap {
     }
 }
 
-/// Whether a set pixel with these neighbours can go without joining or parting anything: the number of its sides that see a
-/// part of the set of their own is one \[Yok75\].
+/// Whether a set pixel with these neighbours can go without joining or parting anything: the number of its sides that
+/// see a part of the set of their own is one \[Yok75\].
 pub(super) fn is_simple(around: u8) -> bool {
     let off = |direction: usize| around >> (direction % 8) & 1 == 0;
     let parts = [0, 2, 4, 6].into_iter().filter(|&d| off(d) && !(off(d + 1) && off(d + 2))).count();

@@ -1,5 +1,6 @@
-//! Pictures that were scaled up by repeating pixels: squares of one colour each, which say no more than the pixels that they were. Where they are
-//! one and a half times as large, every other column and row of pixels is there twice: these, too, are squares here.
+//! Pictures that were scaled up by repeating pixels: squares of one colour each, which say no more than the pixels that
+//! they were. Where they are one and a half times as large, every other column and row of pixels is there twice: these,
+//! too, are squares here.
 
 use super::pitch::{Changes, MOST_TIMES, Pitch, uneven};
 
@@ -31,7 +32,8 @@ pub struct BlockScan {
     kinds: u64,
 }
 
-/// The squares of equal pixels that all of a picture is made of; the border may cut squares off, which are whole all the same.
+/// The squares of equal pixels that all of a picture is made of; the border may cut squares off, which are whole all
+/// the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Blocks {
     /// How columns and rows of pixels make columns and rows of squares.
@@ -122,8 +124,8 @@ impl BlockScan {
         self.changed.iter().any(Changes::is_over)
     }
 
-    /// Whether shades between others are broad at least half as often as such squares: where columns are alike only because nothing is drawn
-    /// there, as between the dots of a pattern, they are not.
+    /// Whether shades between others are broad at least half as often as such squares: where columns are alike only
+    /// because nothing is drawn there, as between the dots of a pattern, they are not.
     fn are_as_broad(&self, times: f64) -> bool {
         let (mut all, mut pixels) = (0, 0);
         for (run, often) in self.runs.iter().enumerate().take(times.ceil() as usize + 1) {
@@ -140,14 +142,15 @@ impl BlockScan {
         blocks
     }
 
-    /// The squares that all of the picture is made of, if edges of shapes were drawn into them. Those of few colours were chosen, and are what
-    /// was drawn.
+    /// The squares that all of the picture is made of, if edges of shapes were drawn into them. Those of few colours
+    /// were chosen, and are what was drawn.
     pub fn blocks(&self) -> Option<Blocks> {
         self.blocks_of(MOST_COLORS)
     }
 
-    /// As [`BlockScan::blocks`], where so many kinds are few. Where more than half of the squares are not like the one to their left, each is
-    /// a value of its own, as in a table that is shown in colours; below two pixels nobody could read it, and it is noise.
+    /// As [`BlockScan::blocks`], where so many kinds are few. Where more than half of the squares are not like the one
+    /// to their left, each is a value of its own, as in a table that is shown in colours; below two pixels nobody could
+    /// read it, and it is noise.
     #[inline(never)]
     pub(super) fn blocks_of(&self, few: u32) -> Option<Blocks> {
         let Self { size, extent, ref changed, .. } = *self;

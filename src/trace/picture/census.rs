@@ -15,12 +15,14 @@ const OPAQUE: u8 = 250;
 const FAINT: u8 = 24;
 /// Bits of each channel that tell bins of translucent colours apart.
 const CLEAR_BITS: u32 = 4;
-/// A pixel that is like its neighbours counts for as many in the middle of something thin, which mostly show more than one colour.
+/// A pixel that is like its neighbours counts for as many in the middle of something thin, which mostly show more than
+/// one colour.
 const FLAT: u64 = 4;
 /// Rows that say which pixels of the one in the middle show a colour.
 const ROWS: usize = 5;
 
-/// What the pixels of a bin weigh that show a colour, how many of them are flat, how many there are at all, and the weighted sums of channels and opacity.
+/// What the pixels of a bin weigh that show a colour, how many of them are flat, how many there are at all, and the
+/// weighted sums of channels and opacity.
 #[derive(Clone, Copy, Debug, Default)]
 struct Bin {
     weight: u64,
@@ -34,8 +36,8 @@ struct Bin {
     bled_flat: u64,
 }
 
-/// Counts the colours of a picture that is given row by row. Pixels between two colours are on the way from one neighbour to the one on the
-/// other side, so they do not count.
+/// Counts the colours of a picture that is given row by row. Pixels between two colours are on the way from one
+/// neighbour to the one on the other side, so they do not count.
 #[derive(Clone, Debug)]
 pub struct Census {
     width: usize,
@@ -100,7 +102,8 @@ impl Census {
         }
     }
 
-    /// At most `most` colours of all rows given, the last row being the lowest; those of most pixels first; fewer where there are no more, none where all is transparent.
+    /// At most `most` colours of all rows given, the last row being the lowest; those of most pixels first; fewer where
+    /// there are no more, none where all is transparent.
     ///
     /// What is translucent is a colour where it is the same all around, and compared as it is on white.
     ///
@@ -146,7 +149,8 @@ impl Census {
     }
 }
 
-/// What is to the left, to the right, above and below at a distance. Beyond the border all is as it is on the other side.
+/// What is to the left, to the right, above and below at a distance. Beyond the border all is as it is on the other
+/// side.
 #[inline(never)]
 fn around(rows: &[&[[u8; 4]]; ROWS], column: usize, reach: usize) -> [[u8; 4]; 4] {
     let middle = ROWS / 2;
@@ -157,7 +161,8 @@ fn around(rows: &[&[[u8; 4]]; ROWS], column: usize, reach: usize) -> [[u8; 4]; 4
     [or(left, right), or(right, left), or(above, below), or(below, above)]
 }
 
-/// What a pixel counts for, by the rows around it, whether it is on an edge of hues, and whether all is alike around it.
+/// What a pixel counts for, by the rows around it, whether it is on an edge of hues, and whether all is alike around
+/// it.
 fn weight(rows: &[&[[u8; 4]]; ROWS], column: usize) -> (u64, bool, bool) {
     let pixel = rows[ROWS / 2][column];
     let near = around(rows, column, 1);

@@ -53,10 +53,11 @@ impl Crossings {
     }
 }
 
-/// All contours at `level` between `dark` ink and light paper (or light ink, if `inverted`) that enclose at least `speckle` square pixels.
+/// All contours at `level` between `dark` ink and light paper (or light ink, if `inverted`) that enclose at least
+/// `speckle` square pixels.
 ///
-/// The picture is taken to lie on paper: ink at its border is closed along the border. Where two diagonal pixels are ink,
-/// the mean of the four decides whether they are joined.
+/// The picture is taken to lie on paper: ink at its border is closed along the border. Where two diagonal pixels are
+/// ink, the mean of the four decides whether they are joined.
 ///
 /// # Errors
 ///
@@ -202,7 +203,8 @@ fn between(first: f64, second: f64) -> f64 {
 /// Joins the crossings on a cell's four sides, with the ink on the right.
 #[inline]
 fn join(crossings: &mut Crossings, value: &dyn Fn(usize) -> f64, ink: [u8; 4], sides: [u32; 4]) {
-    // Side i runs from corner i to corner i + 1 around the cell. Contours enter where ink ends, and leave where it begins: bit i says so.
+    // Side i runs from corner i to corner i + 1 around the cell. Contours enter where ink ends, and leave where it
+    // begins: bit i says so.
     let here = ink[0] | ink[1] << 1 | ink[2] << 2 | ink[3] << 3;
     let after = (here >> 1 | here << 3) & 15;
     let (enters, leaves) = (here & !after, after & !here);

@@ -31,8 +31,9 @@ pub struct Gray {
 
 /// A picture that is being given row by row, so that nobody holds all of its colours at once.
 ///
-/// The shade is the luma of Rec. 709. Where something is transparent, that is paper: black where all that is there is light, or where it is
-/// and light ink is asked for; else white. Which ink it is shows at the end only, so opacity is kept until then, from the first transparent pixel on.
+/// The shade is the luma of Rec. 709. Where something is transparent, that is paper: black where all that is there is
+/// light, or where it is and light ink is asked for; else white. Which ink it is shows at the end only, so opacity is
+/// kept until then, from the first transparent pixel on.
 #[derive(Clone, Debug)]
 pub struct GrayRows {
     width: usize,
@@ -253,7 +254,8 @@ impl GrayRows {
         self.finish_for(false)
     }
 
-    /// The picture, once all rows are there, for tracing with [`inverted`](crate::trace::TraceOptions::inverted) ink or not.
+    /// The picture, once all rows are there, for tracing with [`inverted`](crate::trace::TraceOptions::inverted) ink or
+    /// not.
     ///
     /// # Errors
     ///
@@ -267,7 +269,8 @@ impl GrayRows {
         let clear = 255 * pixels as u64 - self.opaque;
         let light_on_nothing =
             light && LEAST_CLEAR * clear >= 255 * pixels as u64 && LEAST_LIGHT * self.dark <= self.opaque;
-        // Light ink lies on black: what is there already. But dark ink on something light is ink there too, and would be one with a black ground.
+        // Light ink lies on black: what is there already. But dark ink on something light is ink there too, and would
+        // be one with a black ground.
         let on_black = light_on_nothing || light && inverted;
         if !on_black {
             for (value, &alpha) in self.values.iter_mut().zip(&self.opacity) {

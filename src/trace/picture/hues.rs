@@ -1,5 +1,5 @@
-//! Pictures that keep one hue for several pixels together, as compression (JPEG) does: edges of hues are wider there than those of light, and
-//! what they show is a mixture of neither.
+//! Pictures that keep one hue for several pixels together, as compression (JPEG) does: edges of hues are wider there
+//! than those of light, and what they show is a mixture of neither.
 
 use super::mixture::Premultiplied;
 
@@ -69,7 +69,8 @@ pub(super) fn is_bled(pixel: &Premultiplied, [left, right, above, below]: &[Prem
     })
 }
 
-/// Whether a hue is on the way from one to another. Differences with a channel at the end of its range do not count: it would go on.
+/// Whether a hue is on the way from one to another. Differences with a channel at the end of its range do not count: it
+/// would go on.
 fn is_hue_between(pixel: &Premultiplied, from: &Premultiplied, to: &Premultiplied) -> bool {
     let ends = |k: usize| matches!(pixel[k], 0 | 255);
     let known: [i32; 3] = core::array::from_fn(|k| i32::from(!ends(k) && !ends((k + 1) % 3)));

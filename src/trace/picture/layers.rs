@@ -70,11 +70,13 @@ pub struct Layers {
 }
 
 impl Layers {
-    /// Begins a picture of those colours that is given row by row. Layers are opaque: those of translucent colours look as these do on white.
+    /// Begins a picture of those colours that is given row by row. Layers are opaque: those of translucent colours look
+    /// as these do on white.
     ///
     /// # Errors
     ///
-    /// A palette with fewer than 1 or more than 64 colours; sides and pixels as [`Gray::begin`](crate::trace::Gray::begin).
+    /// A palette with fewer than 1 or more than 64 colours; sides and pixels as
+    /// [`Gray::begin`](crate::trace::Gray::begin).
     pub fn begin<T: Copy + Into<Tint>>(width: usize, height: usize, colors: &[T]) -> Result<LayerRows> {
         Self::with_tints(width, height, &colors.iter().map(|&color| color.into()).collect::<Vec<Tint>>())
     }
@@ -96,7 +98,8 @@ impl Layers {
         Ok(LayerRows { height, window: vec![Line::default(); KEPT], given: 0, layers })
     }
 
-    /// Colours as they lie on one another, the lowest first: what covers most lies lowest, and nothing, the last number, below all.
+    /// Colours as they lie on one another, the lowest first: what covers most lies lowest, and nothing, the last
+    /// number, below all.
     pub(super) fn order(&self) -> Vec<u8> {
         let nothing = self.colors.len();
         let mut order: Vec<u8> = Vec::new();
@@ -155,7 +158,8 @@ impl LayerRows {
         Ok(self.layers)
     }
 
-    /// Takes the next row: which pixels have a colour of the palette. On a place of one shade that is the nearest one, however far.
+    /// Takes the next row: which pixels have a colour of the palette. On a place of one shade that is the nearest one,
+    /// however far.
     fn label(&mut self, row: &[u8]) {
         let mut line = core::mem::take(&mut self.window[self.given % KEPT]);
         line.pixels.clear();
@@ -266,8 +270,8 @@ impl LayerRows {
         }
     }
 
-    /// A seam of the only two colours that lie flat around a pixel, if that is clearly nearer than the mixture. What shows through lies below
-    /// both, and so nowhere beside them.
+    /// A seam of the only two colours that lie flat around a pixel, if that is clearly nearer than the mixture. What
+    /// shows through lies below both, and so nowhere beside them.
     fn seam(
         &self,
         a: u8,
@@ -324,7 +328,8 @@ impl LayerRows {
         self.nearest_mixture(pixel, f64::INFINITY, SHADE, &mut pairs).unwrap_or((0, 0, 0.0))
     }
 
-    /// The colours that lie flat around a pixel. One that shows itself nowhere there, and is a mixture of two others, is their soft edge.
+    /// The colours that lie flat around a pixel. One that shows itself nowhere there, and is a mixture of two others,
+    /// is their soft edge.
     fn flat_around<'a>(&self, row: usize, column: usize, room: &'a mut [u8; AROUND]) -> &'a [u8] {
         let columns = column.saturating_sub(REACH)..=(column + REACH).min(self.layers.width - 1);
         let (mut found, mut count, mut steady) = ([NONE; AROUND], 0, [false; AROUND]);
@@ -363,7 +368,8 @@ impl LayerRows {
         Mixture::new(color, from, to)
     }
 
-    /// The first of the mixtures that is nearest to a pixel, if one is nearer than `least`; differences in light count less by the share `shade`.
+    /// The first of the mixtures that is nearest to a pixel, if one is nearer than `least`; differences in light count
+    /// less by the share `shade`.
     fn nearest_mixture(
         &self,
         pixel: &Premultiplied,

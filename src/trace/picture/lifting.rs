@@ -1,11 +1,13 @@
-//! Strokes of about a pixel, alone or beside others: half-way from paper to ink they would break where they run between two rows of pixels.
+//! Strokes of about a pixel, alone or beside others: half-way from paper to ink they would break where they run between
+//! two rows of pixels.
 
 use super::gray::Gray;
 use super::tones::Tones;
 use crate::error::Result;
 use crate::limits::with_room;
 
-/// Ink that covers less than this of the pixels across is that of a thin stroke, or of a tip. Along it there may be more.
+/// Ink that covers less than this of the pixels across is that of a thin stroke, or of a tip. Along it there may be
+/// more.
 pub(in crate::trace) const FULL: f64 = 0.98;
 /// On both sides of it there is paper, within two pixels.
 const CLEAR: f64 = 0.2;

@@ -1,6 +1,8 @@
-//! Uneven light: a sheet that was photographed is darker where less light falls on it, and that is neither ink nor noise.
+//! Uneven light: a sheet that was photographed is darker where less light falls on it, and that is neither ink nor
+//! noise.
 //!
-//! Functions here are called from two kinds of work and are not inlined: they take a thousandth of the time, and would be in the wasm thrice.
+//! Functions here are called from two kinds of work and are not inlined: they take a thousandth of the time, and would
+//! be in the wasm thrice.
 
 use super::gray::Gray;
 use crate::error::Result;
@@ -59,9 +61,10 @@ struct Paper {
 
 /// A picture whose light is looked at, and made even where it is not: some rows at a time.
 ///
-/// Every tile's brightest run of pixels is what paper looks like there. A quadratic polynomial is fitted to them from above, then without the
-/// tiles that are far from it. Only where most tiles in every part of the picture are paper by it, and hardly any are brighter, is it light:
-/// shades are then divided by it. A drawing on a sheet of one shade, a large shape, a photograph keep all their shades.
+/// Every tile's brightest run of pixels is what paper looks like there. A quadratic polynomial is fitted to them from
+/// above, then without the tiles that are far from it. Only where most tiles in every part of the picture are paper by
+/// it, and hardly any are brighter, is it light: shades are then divided by it. A drawing on a sheet of one shade, a
+/// large shape, a photograph keep all their shades.
 #[derive(Debug)]
 pub(in crate::trace) struct Evening {
     tile: usize,
@@ -75,8 +78,9 @@ pub(in crate::trace) struct Evening {
 }
 
 impl Gray {
-    /// Makes the shades what they were if as much light fell on all of the paper; whether that changed anything. A picture that is not dark
-    /// ink on paper, most of it paper, and one in even light stay as they are (D 14.24). [`crate::trace::trace`] does this by itself.
+    /// Makes the shades what they were if as much light fell on all of the paper; whether that changed anything. A
+    /// picture that is not dark ink on paper, most of it paper, and one in even light stay as they are (D 14.24).
+    /// [`crate::trace::trace`] does this by itself.
     ///
     /// # Errors
     ///
@@ -144,7 +148,8 @@ impl Evening {
         for (i, run) in shades.as_chunks::<RUN>().0.iter().enumerate() {
             let mut mean = run.iter().map(|&shade| f64::from(shade)).sum::<f64>() / RUN as f64;
             let tile = first + (i * RUN / self.tile).min(self.columns - 1);
-            // The brightest place of a tile is where most light falls; with a first light known, it is as if it were in the middle.
+            // The brightest place of a tile is where most light falls; with a first light known, it is as if it were in
+            // the middle.
             if let Some(Light { terms, .. }) = &self.light {
                 let u = across(i * RUN + RUN / 2, width);
                 mean *= value(terms, self.place(tile)) / value(terms, [u, v]);
@@ -186,7 +191,8 @@ impl Evening {
         })
     }
 
-    /// Fits a polynomial from above, so that ink counts little, then without the tiles that are far from it, which are not paper.
+    /// Fits a polynomial from above, so that ink counts little, then without the tiles that are far from it, which are
+    /// not paper.
     #[inline(never)]
     fn paper(&self) -> Option<Paper> {
         let count = self.brightest.len();
@@ -274,7 +280,8 @@ fn value(terms: &[f64; TERMS], place: [f64; 2]) -> f64 {
     terms.iter().zip(powers(place)).map(|(a, b)| a * b).sum()
 }
 
-/// Adds the products of a list, whose last number is the right side, to the rows of a system. A function of its own, so that it stays a loop.
+/// Adds the products of a list, whose last number is the right side, to the rows of a system. A function of its own, so
+/// that it stays a loop.
 #[inline(never)]
 fn add_square(system: &mut [f64], list: &[f64], weight: f64) {
     for (row, a) in system.chunks_exact_mut(list.len()).zip(list) {
@@ -284,8 +291,8 @@ fn add_square(system: &mut [f64], list: &[f64], weight: f64) {
     }
 }
 
-/// Solves `n` positive definite equations, the right sides in the last column, by elimination; false if they are not. For six unknowns once a
-/// picture; nalgebra's decompositions would be 3 kB of the tracer's wasm.
+/// Solves `n` positive definite equations, the right sides in the last column, by elimination; false if they are not.
+/// For six unknowns once a picture; nalgebra's decompositions would be 3 kB of the tracer's wasm.
 #[inline(never)]
 fn solve(system: &mut [f64], n: usize) -> bool {
     let width = n + 1;

@@ -49,8 +49,8 @@ impl Mixture {
     }
 }
 
-/// What a pixel takes of the second of two shapes side by side that were blended one after the other, each by what it covers, over a third
-/// colour: both let a quarter of it through where each has a half (D 14.29).
+/// What a pixel takes of the second of two shapes side by side that were blended one after the other, each by what it
+/// covers, over a third colour: both let a quarter of it through where each has a half (D 14.29).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seam {
     /// The share of the second of the two.
@@ -106,8 +106,8 @@ pub(super) fn is_between(pixel: &Premultiplied, from: &Premultiplied, to: &Premu
     share > 0.05 && share < 0.95 && gap < most
 }
 
-/// Whether a pixel is on the way from one neighbour to the one on the other side. In the middle of something thin it is not, nor where it is
-/// flat: there it shows a colour of its own.
+/// Whether a pixel is on the way from one neighbour to the one on the other side. In the middle of something thin it is
+/// not, nor where it is flat: there it shows a colour of its own.
 pub(super) fn is_on_edge(pixel: &Premultiplied, [left, right, above, below]: [&Premultiplied; 4]) -> bool {
     is_between(pixel, left, right, BESIDE) || is_between(pixel, above, below, BESIDE)
 }

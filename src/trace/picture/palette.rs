@@ -67,8 +67,8 @@ struct Found {
     is_narrow: bool,
 }
 
-/// At most `most` colours, those of most pixels first. Every colour after the first is the one that most pixels are far from; then k-means
-/// \[Llo82\], in Oklab \[Ott20\], where distances are what eyes see.
+/// At most `most` colours, those of most pixels first. Every colour after the first is the one that most pixels are far
+/// from; then k-means \[Llo82\], in Oklab \[Ott20\], where distances are what eyes see.
 pub(super) fn palette_of(items: &mut [Item], most: usize) -> Vec<Tint> {
     let mut centers = seeds(items, most);
     for _ in 0..ROUNDS {
@@ -106,8 +106,8 @@ fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum()
 }
 
-/// The first centres: the heaviest bin, then the one that counts most by its pixels and its distance from all before. Where there is room
-/// left, pure ones may be nearer to each other.
+/// The first centres: the heaviest bin, then the one that counts most by its pixels and its distance from all before.
+/// Where there is room left, pure ones may be nearer to each other.
 fn seeds(items: &mut [Item], most: usize) -> Vec<[f64; 3]> {
     let mut centers: Vec<[f64; 3]> = Vec::new();
     let mut weak = 0;
@@ -162,8 +162,8 @@ fn is_pure(items: &[Item], item: &Item) -> bool {
         && MOST_AROUND * (weight_around(items, &item.lab, AROUND) - item.weight) < item.weight
 }
 
-/// Thin places show a colour mixed with what is beside them as well: such a mixture of two others is no colour. A stroke of a pixel that two rows
-/// share looks like one of two pixels, where nothing of its own colour is any broader.
+/// Thin places show a colour mixed with what is beside them as well: such a mixture of two others is no colour. A
+/// stroke of a pixel that two rows share looks like one of two pixels, where nothing of its own colour is any broader.
 fn leave_mixtures_out(colors: &mut Vec<Found>) {
     let mut k = 0;
     while k < colors.len() {
@@ -209,7 +209,8 @@ fn settle(items: &mut [Item], centers: &mut [[f64; 3]]) {
     }
 }
 
-/// The colour of a cluster: the mean of what is near its heaviest bin or, where it was seen in thin places mostly, of all of it.
+/// The colour of a cluster: the mean of what is near its heaviest bin or, where it was seen in thin places mostly, of
+/// all of it.
 fn color_of(items: &[Item], cluster: usize) -> Option<Found> {
     let own = || items.iter().filter(|item| item.cluster == cluster);
     let heaviest = own().fold(None, |best: Option<&Item>, item| match best {

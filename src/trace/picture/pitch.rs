@@ -1,17 +1,21 @@
 //! Squares of two sizes by turns: which columns, or rows, of pixels begin one.
 
-/// Squares come back after as many pixels at most where a picture may be a part of another: eleven tenths and what is simpler.
+/// Squares come back after as many pixels at most where a picture may be a part of another: eleven tenths and what is
+/// simpler.
 const PERIOD: usize = 11;
-/// As many columns in a row begin a square, at most, where each eleventh is there twice; squares that are hardly larger than pixels are none.
+/// As many columns in a row begin a square, at most, where each eleventh is there twice; squares that are hardly larger
+/// than pixels are none.
 const MOST_RUN: usize = PERIOD - 1;
 /// The most that a whole picture was enlarged by, if not by a whole number: sixteen pixels to the size of a preview.
 pub(super) const MOST_TIMES: usize = 16;
-/// As many changes along rows and columns together would be expected where no square begins, if pixels had nothing to do with squares; that there is
-/// none is a chance of one in e to that power. A drawing on a grid of its own was taken for another grid at 6.6, and nothing that was not enlarged at 8.
+/// As many changes along rows and columns together would be expected where no square begins, if pixels had nothing to
+/// do with squares; that there is none is a chance of one in e to that power. A drawing on a grid of its own was taken
+/// for another grid at 6.6, and nothing that was not enlarged at 8.
 const EVIDENCE: f64 = 8.0;
 /// From so many times on it need not be as many: nothing that was not enlarged was taken for squares as large.
 const ROOMY: f64 = 1.25;
-/// And so many along each: shades side by side, as a gradient has them, say nothing across. Four sides of a band make 1.3 at 1.5 times.
+/// And so many along each: shades side by side, as a gradient has them, say nothing across. Four sides of a band make
+/// 1.3 at 1.5 times.
 const LEAST: f64 = 1.5;
 
 /// Columns, or rows, that are not like the one before.
@@ -55,7 +59,8 @@ impl Pitch {
 }
 
 impl Changes {
-    /// A column or row is not like the one before: the first of these, if this one is new and squares may still be found.
+    /// A column or row is not like the one before: the first of these, if this one is new and squares may still be
+    /// found.
     pub(super) fn note(&mut self, at: usize) -> Option<usize> {
         if self.seen.len() <= at {
             self.seen.resize(at + 1, false);
@@ -103,8 +108,8 @@ impl Changes {
     }
 }
 
-/// Squares of two sizes by turns that all of a picture is made of: the largest. Where a change is, each of those begins one, so none hides another
-/// that is unlike it.
+/// Squares of two sizes by turns that all of a picture is made of: the largest. Where a change is, each of those begins
+/// one, so none hides another that is unlike it.
 pub(super) fn uneven(
     changed: &[Changes; 2],
     extent: [usize; 2],
@@ -122,8 +127,9 @@ pub(super) fn uneven(
 ///
 /// # Proof
 ///
-/// c columns and d rows of squares, enlarged by f, are W = c f + a and H = d f + b columns and rows of pixels, a and b being what rounding adds: both
-/// from -1/2 to 1/2, or both from 0 to 1, or neither above 0. W d - H c = a d - b c, which is less than c or d in each case.
+/// c columns and d rows of squares, enlarged by f, are W = c f + a and H = d f + b columns and rows of pixels, a and b
+/// being what rounding adds: both from -1/2 to 1/2, or both from 0 to 1, or neither above 0. W d - H c = a d - b c,
+/// which is less than c or d in each case.
 #[inline(never)]
 fn whole(
     changed: &[Changes; 2],

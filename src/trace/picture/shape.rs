@@ -9,8 +9,8 @@ use crate::limits::with_room;
 
 /// The shape of one layer as a picture in gray, a few rows at a time.
 ///
-/// It is where its colour is, and all that lies on it: every connected region of higher layers that touches it. So no gap can open between
-/// a layer and what lies on it, however their outlines are rounded.
+/// It is where its colour is, and all that lies on it: every connected region of higher layers that touches it. So no
+/// gap can open between a layer and what lies on it, however their outlines are rounded.
 #[derive(Debug)]
 pub(in crate::trace) struct Shape {
     /// Height of each colour in the order, lowest first.

@@ -15,10 +15,12 @@ const REACH: isize = 12;
 /// What changes by less does not change.
 const SHADE: f64 = 1.0 / 255.0;
 
-/// The deviation of the Gaussian that blurred exact coverage, in pixels, by the edge in the middle of all along some contours.
+/// The deviation of the Gaussian that blurred exact coverage, in pixels, by the edge in the middle of all along some
+/// contours.
 ///
-/// With c the coverage across an edge, ∫ c (1 − c) is half the mean distance of two numbers by lot from what one pixel gathers: σ/√π for a Gaussian,
-/// and for the square of a pixel, at any angle, nearly what a Gaussian of the same variance has, 1/12. So their variances add up.
+/// With c the coverage across an edge, ∫ c (1 − c) is half the mean distance of two numbers by lot from what one pixel
+/// gathers: σ/√π for a Gaussian, and for the square of a pixel, at any angle, nearly what a Gaussian of the same
+/// variance has, 1/12. So their variances add up.
 ///
 /// # Cost
 ///
@@ -46,8 +48,8 @@ fn cover(gray: &Gray, tones: &Tones, x: isize, y: isize) -> Option<f64> {
     inside.then(|| (tones.paper - gray.shade(x as usize, y as usize)) / (tones.paper - tones.ink))
 }
 
-/// ∫ c (1 − c) across the edge at a place of a contour, which lies between the centres of two pixels of a row or a column.
-/// c is 0 at one end of the edge's way and 1 at the other, whether it reaches both tones or not.
+/// ∫ c (1 − c) across the edge at a place of a contour, which lies between the centres of two pixels of a row or a
+/// column. c is 0 at one end of the edge's way and 1 at the other, whether it reaches both tones or not.
 fn width(place: &Point, gray: &Gray, tones: &Tones) -> Option<f64> {
     let cover = |x: isize, y: isize| cover(gray, tones, x, y);
     let (x, y) = ((place.x - 0.5).floor() as isize, (place.y - 0.5).floor() as isize);
@@ -94,7 +96,8 @@ mod tests {
 
     const SIDE: usize = 48;
 
-    /// What is measured of a half-plane whose edge runs at an angle; samples of a pixel are moved across it by a Gaussian of some deviation.
+    /// What is measured of a half-plane whose edge runs at an angle; samples of a pixel are moved across it by a
+    /// Gaussian of some deviation.
     fn of_edge(angle: f64, sigma: f64) -> Result<f64> {
         let (sin, cos) = angle.sin_cos();
         let mut bytes = Vec::new();

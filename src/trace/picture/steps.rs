@@ -12,9 +12,11 @@ const NEAR: f64 = 0.02;
 const STEPS: usize = 2;
 /// A contour of fewer sides of pixels is what its pixels are.
 const FEWEST: usize = 28;
-/// So is one with more than half of its sides beside ink or paper one pixel wide; of fewer sides than this, one in sixteen: glyphs are drawn so.
+/// So is one with more than half of its sides beside ink or paper one pixel wide; of fewer sides than this, one in
+/// sixteen: glyphs are drawn so.
 const SMALL: usize = 48;
-/// Among outlines that run aslant, each of as many sides at least, small ones are parts of the same drawing rather than glyphs.
+/// Among outlines that run aslant, each of as many sides at least, small ones are parts of the same drawing rather than
+/// glyphs.
 const LARGE: usize = 2 * SMALL;
 
 /// A contour as the middles of pixels' sides, if all pixels beside it have one of the two tones.
@@ -56,7 +58,8 @@ pub(in crate::trace) fn steps(contour: &[Point], gray: &Gray, tones: &Tones) -> 
     Ok(Some(middles))
 }
 
-/// Whether contours together are a drawing of edges that run aslant: most of their sides are those of large ones that do.
+/// Whether contours together are a drawing of edges that run aslant: most of their sides are those of large ones that
+/// do.
 pub(in crate::trace) fn is_mostly_sampled(contours: impl Iterator<Item = (usize, bool)>) -> bool {
     let (mut large, mut all) = (0, 0);
     for (sides, sampled) in contours {
@@ -66,7 +69,8 @@ pub(in crate::trace) fn is_mostly_sampled(contours: impl Iterator<Item = (usize,
     2 * large > all
 }
 
-/// Whether such a contour is that of a shape whose edges run aslant, rather than of squares. `among` such shapes a small one rather is.
+/// Whether such a contour is that of a shape whose edges run aslant, rather than of squares. `among` such shapes a
+/// small one rather is.
 ///
 /// # Cost
 ///

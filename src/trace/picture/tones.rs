@@ -25,15 +25,17 @@ const ROWS: usize = 64;
 /// About as many pixels are looked at for flat places.
 const ENOUGH: usize = 65_536;
 
-/// Noise leaves fewer than one flat place in so many even, to a shade: an eighteenth, where it is just more than a drawing has. Of drawings
-/// as dense as hatching and letters of seven pixels a sixth of the places and more are even, and edges beside the others are no noise.
+/// Noise leaves fewer than one flat place in so many even, to a shade: an eighteenth, where it is just more than a
+/// drawing has. Of drawings as dense as hatching and letters of seven pixels a sixth of the places and more are even,
+/// and edges beside the others are no noise.
 const EVEN: u64 = 8;
 const SHADE: u64 = 256;
 
 /// Fewer flat places than one in so many pixels of their side are few.
 const FEW: u32 = 8;
 
-/// More pixels than flat places that are beyond their tone by so many shades say that it is no tone, but that small letters are dense there.
+/// More pixels than flat places that are beyond their tone by so many shades say that it is no tone, but that small
+/// letters are dense there.
 const DEEPER: usize = 16;
 
 /// Pixels that are looked at together, and where they are not all alike.
@@ -70,13 +72,15 @@ struct Flat {
 impl Gray {
     /// Finds the two tones and the noise. A picture of one tone is all ink or all paper, as it is dark or light.
     ///
-    /// Otsu's threshold parts the shades; pixels whose eight neighbours are on the same side are flat. The medians of the flat ones are
-    /// the tones, their means where there is noise. A drawing so thin that nothing is flat, or only a few places that do not agree, has its
-    /// extreme shades. Where one flat place in eight or more is even there is no noise: what the others leave is edges.
+    /// Otsu's threshold parts the shades; pixels whose eight neighbours are on the same side are flat. The medians of
+    /// the flat ones are the tones, their means where there is noise. A drawing so thin that nothing is flat, or only a
+    /// few places that do not agree, has its extreme shades. Where one flat place in eight or more is even there is no
+    /// noise: what the others leave is edges.
     ///
     /// # Cost
     ///
-    /// O(pixels), three rows at a time. Of pictures beyond 65,536 pixels evenly spread rows are looked at for flat places.
+    /// O(pixels), three rows at a time. Of pictures beyond 65,536 pixels evenly spread rows are looked at for flat
+    /// places.
     ///
     /// # Source
     ///
@@ -149,13 +153,14 @@ impl ToneScan {
         self.flat.as_ref().is_none_or(|flat| self.median(flat, usize::from(light)).is_some())
     }
 
-    /// About how many pixels are ink by a quarter to a half and have none that is by three beside them, but paper: ends of tips, and thin strokes that break.
+    /// About how many pixels are ink by a quarter to a half and have none that is by three beside them, but paper: ends
+    /// of tips, and thin strokes that break.
     pub(in crate::trace) fn thin(&self, light: bool) -> usize {
         self.flat.as_ref().map_or(0, |flat| self.stride * flat.thin[usize::from(light)])
     }
 
-    /// The median shade of the flat places of one side, if they show a tone: where they are few beside all that is on that side, as where strokes
-    /// meet that are hardly thicker than a pixel, most of them have to agree.
+    /// The median shade of the flat places of one side, if they show a tone: where they are few beside all that is on
+    /// that side, as where strokes meet that are hardly thicker than a pixel, most of them have to agree.
     fn median(&self, flat: &Flat, side: usize) -> Option<usize> {
         let bins = &flat.histogram[side];
         let total: u32 = bins.iter().sum();

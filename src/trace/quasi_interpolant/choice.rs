@@ -14,8 +14,8 @@ pub struct Score {
 pub enum Rule {
     /// The least error; of equal ones fewer knots, then more neighbours \[RB21, section 3.3\].
     Least,
-    /// The fewest knots whose error is at most `share` of it, or `slack`, above the least. The noise of chains of pixels is correlated,
-    /// so that the least error alone asks for too many knots.
+    /// The fewest knots whose error is at most `share` of it, or `slack`, above the least. The noise of chains of
+    /// pixels is correlated, so that the least error alone asks for too many knots.
     Parsimonious {
         /// A tenth, say.
         share: f64,

@@ -41,7 +41,8 @@ impl Knots {
         Ok(Self { degree, knots })
     }
 
-    /// Knots as they are given: they do not fall, and both ends are there `degree` + 1 times, any other at most that often.
+    /// Knots as they are given: they do not fall, and both ends are there `degree` + 1 times, any other at most that
+    /// often.
     ///
     /// # Errors
     ///
@@ -112,7 +113,8 @@ impl Knots {
         (self.knots[piece + self.degree], self.knots[piece + self.degree + 1])
     }
 
-    /// The first B-spline that does not vanish at x, and the values from there on, by the recurrence of Cox and de Boor.
+    /// The first B-spline that does not vanish at x, and the values from there on, by the recurrence of Cox and de
+    /// Boor.
     pub(super) fn values(&self, x: f64) -> (usize, Values) {
         let first = self.piece(x);
         let span = first + self.degree;

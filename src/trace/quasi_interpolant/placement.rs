@@ -1,4 +1,5 @@
-//! Where knots go: from many even ones the least worthy leave, one by one, and those that stay move to where they predict best.
+//! Where knots go: from many even ones the least worthy leave, one by one, and those that stay move to where they
+//! predict best.
 
 use super::End;
 use super::choice::Choice;

@@ -1,4 +1,5 @@
-//! Coefficients from least squares on windows of the spline itself: what they are, what each point counts, what each knot is worth.
+//! Coefficients from least squares on windows of the spline itself: what they are, what each point counts, what each
+//! knot is worth.
 
 use super::cloud::Cloud;
 use super::knots::{Knots, MOST_DEGREE, Values};
@@ -168,15 +169,16 @@ impl<'a> Projection<'a> {
     }
 }
 
-/// The jump of the p-th derivative at interior knot i, from the p + 2 coefficients that make it, times the p-th power of the mean
-/// distance to the knots beside it; nothing where knots are the same.
+/// The jump of the p-th derivative at interior knot i, from the p + 2 coefficients that make it, times the p-th power
+/// of the mean distance to the knots beside it; nothing where knots are the same.
 fn jump(knots: &Knots, i: usize) -> Row {
     let degree = knots.degree();
     let list = knots.as_slice();
     let mut row = [0.0; BAND];
     let gap = 0.5 * (list[i + degree + 1] - list[i + degree - 1]);
     for (side, sign) in [(0, -1.0), (1, 1.0)] {
-        // The p-th derivative on the piece of coefficients i − 1 + side …, by differences, written out in the coefficients.
+        // The p-th derivative on the piece of coefficients i − 1 + side …, by differences, written out in the
+        // coefficients.
         let piece = i - 1 + side;
         let mut table = [[0.0; BAND]; BAND];
         (0..=degree).for_each(|a| table[a][a + side] = sign);

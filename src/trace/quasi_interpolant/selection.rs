@@ -12,8 +12,8 @@ use crate::trace::metrics::{mean_absolute, root_mean_square};
 
 /// The exact leave-one-out scores of the mean estimator for k = 1 … `most`, without fitting anything twice.
 ///
-/// A point that is left out matters only to coefficients among whose neighbours it is; there the next neighbour takes its
-/// place (D 14.1). Coefficients that `ends` hold stay held.
+/// A point that is left out matters only to coefficients among whose neighbours it is; there the next neighbour takes
+/// its place (D 14.1). Coefficients that `ends` hold stay held.
 ///
 /// # Errors
 ///
@@ -66,8 +66,8 @@ pub fn leave_one_out(cloud: &Cloud, knots: &Knots, most: usize, ends: [End; 2]) 
     Ok(scores)
 }
 
-/// Generalised cross-validation of the local estimator: the root mean square of the residuals over 1 − tr H/N, and tr H,
-/// where H takes ordinates to values.
+/// Generalised cross-validation of the local estimator: the root mean square of the residuals over 1 − tr H/N, and tr
+/// H, where H takes ordinates to values.
 ///
 /// # Errors
 ///
@@ -101,8 +101,9 @@ pub fn generalised_cross_validation(
 pub enum Method {
     /// Means of the nearest, chosen by leaving out every point once.
     Mean(Rule),
-    /// Projections onto splines whose knots are where they are needed (D 14.11): of all that are tried the ones with the least
-    /// ln(max(error, `floor`)) + `price`·knots/points, the error being that of predicting each point from all the others.
+    /// Projections onto splines whose knots are where they are needed (D 14.11): of all that are tried the ones with
+    /// the least ln(max(error, `floor`)) + `price`·knots/points, the error being that of predicting each point from all
+    /// the others.
     Placed {
         /// 1.5 makes a knot pay for three times the noise of a point, in squares.
         price: f64,
@@ -111,8 +112,8 @@ pub enum Method {
     },
 }
 
-/// The root mean square error of predicting each point from the others by the local estimator, its weights kept: r/(1 − h) with h
-/// the share of a point's ordinate in its own value.
+/// The root mean square error of predicting each point from the others by the local estimator, its weights kept:
+/// r/(1 − h) with h the share of a point's ordinate in its own value.
 ///
 /// # Errors
 ///
@@ -134,8 +135,8 @@ pub fn left_out_locally(cloud: &Cloud, knots: &Knots, k: usize, ends: [End; 2]) 
     Ok(root_mean_square(residuals.iter().zip(&own).map(|(r, h)| r / (1.0 - h).max(0.05))))
 }
 
-/// The knots of a tube and its number of neighbours, by the method's rule: even ones, up to the least of 8 and a third of the
-/// points less two, with 1 … 9 neighbours, for means; or placed ones.
+/// The knots of a tube and its number of neighbours, by the method's rule: even ones, up to the least of 8 and a third
+/// of the points less two, with 1 … 9 neighbours, for means; or placed ones.
 ///
 /// `None` where there are fewer than 3 points: such a tube is a line.
 ///

@@ -1,5 +1,5 @@
-//! Outlines that explain little of the picture begin again, along their contours: corners that were seen where there are none, or were not seen
-//! between strokes of a pixel, hold an outline where no step leads away from.
+//! Outlines that explain little of the picture begin again, along their contours: corners that were seen where there
+//! are none, or were not seen between strokes of a pixel, hold an outline where no step leads away from.
 
 use super::grain::grain;
 use super::{Begin, FineOutline, Other, Refinement};
@@ -7,7 +7,8 @@ use crate::error::Result;
 use crate::numerics::plane::larger;
 use crate::trace::outline::Outline;
 
-/// What leaves so much of coverage, root mean square, and so many times as much as the grain, is worth another beginning.
+/// What leaves so much of coverage, root mean square, and so many times as much as the grain, is worth another
+/// beginning.
 const POOR: f64 = 0.02;
 const GRAINS: f64 = 3.0;
 /// The second way is taken if it leaves so much of the squares at most.
@@ -24,8 +25,8 @@ pub(super) struct Again {
 }
 
 impl Refinement {
-    /// Finds from what all outlines leave how much is too much. What a quarter of the windows leave less than is told by outlines that are where they
-    /// belong.
+    /// Finds from what all outlines leave how much is too much. What a quarter of the windows leave less than is told
+    /// by outlines that are where they belong.
     pub(super) fn expect_more(&mut self) {
         self.poor = larger(POOR, GRAINS * grain(&self.shapes, &self.field).lower);
     }

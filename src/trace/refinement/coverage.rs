@@ -19,7 +19,8 @@ pub(super) struct Part {
     pub(super) right: f32,
 }
 
-/// Chords are nowhere farther from their curve than 1/200 of a pixel, and in the mean not at all: b·6/(12n²) with the larger second difference b.
+/// Chords are nowhere farther from their curve than 1/200 of a pixel, and in the mean not at all: b·6/(12n²) with the
+/// larger second difference b.
 const FINENESS: f64 = 100.0;
 /// Room for more parts than this is made when they come.
 const MOST_WAYS: f64 = 4096.0;
@@ -32,7 +33,8 @@ pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
     let steps = (bend * FINENESS).sqrt().ceil().clamp(1.0, 4000.0);
     // Every chord is one part, and every border that is crossed begins another.
     make_room(out, (steps + smaller(cubic.taxi_length(), MOST_WAYS)) as usize + 2);
-    // A chord lies inside its arc, by h²|p″|/12 in the mean: its ends are moved outwards by as much, but for those of the piece.
+    // A chord lies inside its arc, by h²|p″|/12 in the mean: its ends are moved outwards by as much, but for those of
+    // the piece.
     let outwards = -1.0 / (6.0 * steps * steps);
     let first = cubic.leaving * 3.0 + third * (3.0 * outwards);
     let base = cubic.start + second * outwards;
@@ -136,7 +138,8 @@ impl Crossings {
     }
 }
 
-/// Where edges are drawn: the pixels of a field, from its corner. What it does is a part of one loop, and it is never in memory.
+/// Where edges are drawn: the pixels of a field, from its corner. What it does is a part of one loop, and it is never
+/// in memory.
 #[derive(Clone, Copy)]
 struct Frame<'a> {
     field: &'a Field,
@@ -157,7 +160,8 @@ impl<'a> Frame<'a> {
         inside.then(|| at.map(|v| v as i32))
     }
 
-    /// The parts of an edge from one pixel to another, written behind those that are there already; how many there are then.
+    /// The parts of an edge from one pixel to another, written behind those that are there already; how many there are
+    /// then.
     #[inline(always)]
     fn draw(
         &self,
@@ -206,7 +210,8 @@ impl<'a> Frame<'a> {
         edge.part(share, (pixel, right))
     }
 
-    /// An edge that leaves the frame: left of it it covers whole pixels; right of it, above and below nothing that is seen.
+    /// An edge that leaves the frame: left of it it covers whole pixels; right of it, above and below nothing that is
+    /// seen.
     #[cold]
     #[inline(never)]
     fn draw_beyond(self, edge: Edge, out: &mut Vec<Part>, written: usize) -> usize {

@@ -66,7 +66,8 @@ impl Equations {
         self.unknowns.pieces(outline, &mut self.pieces);
     }
 
-    /// Finds the step of the unknowns that the residuals ask for (D 14.4): what is left, and by how much the step promises to make that less.
+    /// Finds the step of the unknowns that the residuals ask for (D 14.4): what is left, and by how much the step
+    /// promises to make that less.
     ///
     /// # Cost
     ///

@@ -4,12 +4,13 @@ use super::refine::NOISY_SHARE;
 use crate::numerics::plane::larger;
 use crate::trace::quality::Quality;
 
-/// How far pieces may be from an arc that they are, in pixels: in a picture of exact coverage, a compressed, a noisy and one that samples and chords made.
+/// How far pieces may be from an arc that they are, in pixels: in a picture of exact coverage, a compressed, a noisy
+/// and one that samples and chords made.
 const BOWS: [f64; 4] = [0.01, 0.05, 0.075, 0.15];
 /// Outlines follow some of the grain, so that what is known of it is this share of what it is at most.
 const KNOWN: f64 = 4.0;
-/// What leaves so much of coverage, root mean square, explains nothing: outlines of two tones leave .1 at most where they are a pixel and more from
-/// their contour.
+/// What leaves so much of coverage, root mean square, explains nothing: outlines of two tones leave .1 at most where
+/// they are a pixel and more from their contour.
 const UNEXPLAINED: f64 = 0.1;
 /// What leaves so much in many pixels explains nothing even near the contour.
 const NOTHING: f64 = 0.15;
@@ -59,7 +60,8 @@ impl Exactness {
         (most, if self.is_clean() { enough } else { NOISY_SHARE })
     }
 
-    /// How far pieces may be from an arc that they are, in pixels: where programs drew chords, of which flat places are flat, farthest.
+    /// How far pieces may be from an arc that they are, in pixels: where programs drew chords, of which flat places are
+    /// flat, farthest.
     pub(super) fn bow(&self, flat: bool) -> f64 {
         match self.quality {
             Quality::Clean => BOWS[0],

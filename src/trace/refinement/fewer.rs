@@ -14,7 +14,8 @@ use crate::numerics::plane::larger;
 use crate::trace::outline::Outline;
 use crate::trace::outline::ellipse::{ellipse, rounded};
 
-/// How far an outline in a rough picture may be from an ellipse that it is, in pixels, and how many times as much that may leave.
+/// How far an outline in a rough picture may be from an ellipse that it is, in pixels, and how many times as much that
+/// may leave.
 const NEARLY: f64 = 0.3;
 const NEARLY_AS_WELL: f64 = 1.2;
 
@@ -87,7 +88,8 @@ impl Thinning {
 }
 
 impl Refinement {
-    /// A bit of taking joints away, which costs in microseconds what it returns; nothing when the outline has as few as it may.
+    /// A bit of taking joints away, which costs in microseconds what it returns; nothing when the outline has as few as
+    /// it may.
     pub(super) fn fewer(&mut self) -> Result<Option<f64>> {
         let thinning = &mut self.thinning;
         let trial = &mut Trial {
@@ -148,7 +150,8 @@ impl Refinement {
         Ok(Some(1.0))
     }
 
-    /// Cubics that hardly bend become lines, and a last refinement, of a long outline bit by bit; whether that was the last bit.
+    /// Cubics that hardly bend become lines, and a last refinement, of a long outline bit by bit; whether that was the
+    /// last bit.
     fn last(&mut self) -> Result<bool> {
         let (shape, thinning) = (&mut self.shapes[self.place.at], &mut self.thinning);
         if !thinning.straightened {

@@ -42,7 +42,8 @@ pub(in crate::trace) struct Shading {
     pub(in crate::trace) inverted: bool,
 }
 
-/// What an exchange of parts does to one tile: areas to the right of them inside pixels, and heights, in the order of the pixels.
+/// What an exchange of parts does to one tile: areas to the right of them inside pixels, and heights, in the order of
+/// the pixels.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Change {
     areas: [[f32; 4]; AREA / 4],
@@ -75,7 +76,8 @@ pub(super) struct Field {
     near: Vec<u64>,
     /// What is left: what the picture shows less what the outlines cover, blurred like the picture.
     pub(super) rest: Vec<f32>,
-    /// Of the pixels that are nearly ink or nearly paper, the share that is neither: strong compression leaves most of them so.
+    /// Of the pixels that are nearly ink or nearly paper, the share that is neither: strong compression leaves most of
+    /// them so.
     stain: f64,
     blur: Option<Blur>,
     journal: Journal,
@@ -93,8 +95,8 @@ impl Shading {
     }
 }
 
-/// Of the pixels that are nearly ink or nearly paper, the share that is neither, nor of one shade with others of their column and their row, as the
-/// inside of a shape is that is a little darker than paper.
+/// Of the pixels that are nearly ink or nearly paper, the share that is neither, nor of one shade with others of their
+/// column and their row, as the inside of a shape is that is a little darker than paper.
 fn stain(pixels: &[f32]) -> f64 {
     let (mut near, mut off) = (0_usize, 0_usize);
     for tile in pixels.as_chunks().0 {
@@ -266,8 +268,9 @@ impl Field {
         (place / across + 1) * across
     }
 
-    /// The outlines cover more or less of the pixels of a tile, with heights that run in from the left and on to the right; how much the sum
-    /// of squares grows, if that is known at once. The change is used up, but for what takes it back.
+    /// The outlines cover more or less of the pixels of a tile, with heights that run in from the left and on to the
+    /// right; how much the sum of squares grows, if that is known at once. The change is used up, but for what takes it
+    /// back.
     pub(super) fn cover(&mut self, slot: usize, change: &mut Change, running: &mut [f32; SIDE]) -> f64 {
         let sign = if self.blur.is_some() { -1.0 } else { 1.0 };
         let pixels = tile(covered(&mut self.rest, &mut self.blur), slot);
@@ -296,7 +299,8 @@ impl Field {
     }
 }
 
-/// Covers the upper or the lower half of a tile's rows, column by column; how much the sum of squares grows in each row.
+/// Covers the upper or the lower half of a tile's rows, column by column; how much the sum of squares grows in each
+/// row.
 #[inline(always)]
 fn cover_half(
     pixels: &mut [[f32; 4]],

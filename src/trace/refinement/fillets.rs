@@ -19,8 +19,9 @@ const GENTLE: f64 = 0.35;
 const LEAST: f64 = 0.5;
 
 impl Trial<'_> {
-    /// Makes one piece of a run of pieces without sharp corners between straight piece i and the next straight one, if that is an arc of a
-    /// circle, as long as the picture is explained as well as before or as the limits say. The next piece, and whether it was tried.
+    /// Makes one piece of a run of pieces without sharp corners between straight piece i and the next straight one, if
+    /// that is an arc of a circle, as long as the picture is explained as well as before or as the limits say. The next
+    /// piece, and whether it was tried.
     ///
     /// # Cost
     ///
@@ -41,7 +42,8 @@ impl Trial<'_> {
     }
 }
 
-/// How many pieces after straight piece i lead to the next straight one, and the arc in their place; nothing if it is one piece or no arc.
+/// How many pieces after straight piece i lead to the next straight one, and the arc in their place; nothing if it is
+/// one piece or no arc.
 fn rounding(outline: &Outline, i: usize) -> Option<(usize, Arc)> {
     let first = outline.next(i);
     let (mut at, mut count, mut area) = (first, 0, 0.0);

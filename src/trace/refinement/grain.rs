@@ -9,8 +9,8 @@ use crate::numerics::order::nth;
 const WINDOW: usize = 8;
 /// Where an outline runs along rows or columns within so many pixels, all pixels say the same, right or wrong.
 const LEVEL: f32 = 1.0;
-/// Pixels of an outline that runs nearly along rows or columns are looked at together until it has gone so far the other way: several of the steps
-/// that samples make of it. More pixels than this hold more than a parabola.
+/// Pixels of an outline that runs nearly along rows or columns are looked at together until it has gone so far the
+/// other way: several of the steps that samples make of it. More pixels than this hold more than a parabola.
 const STEPS: f32 = 1.5;
 const FEWEST: usize = 12;
 const MOST: usize = 96;
@@ -25,7 +25,8 @@ struct Crossing {
     length: f64,
 }
 
-/// The standard deviation of coverage in the pixels that outlines cross, beyond what moving and turning them would explain (D 14.21).
+/// The standard deviation of coverage in the pixels that outlines cross, beyond what moving and turning them would
+/// explain (D 14.21).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grain {
     /// By the window in the middle, and by the one that a quarter of them leaves less than.
@@ -66,7 +67,8 @@ fn part(squares: &mut [f64], parts: usize) -> f64 {
     nth(squares, squares.len() / parts)
 }
 
-/// What is left in windows where the outline runs nearly along rows or columns, beyond what moving, turning and bending it would explain.
+/// What is left in windows where the outline runs nearly along rows or columns, beyond what moving, turning and bending
+/// it would explain.
 ///
 /// # Cost
 ///

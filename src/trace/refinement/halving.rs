@@ -14,7 +14,8 @@ const SURELY: f64 = 2.0;
 const PIXELS: f64 = 8.0;
 
 impl Refinement {
-    /// Halves pieces that explain the picture worse than joints are taken away for, or than noise; whether there were any.
+    /// Halves pieces that explain the picture worse than joints are taken away for, or than noise; whether there were
+    /// any.
     pub(super) fn is_halved(&mut self) -> Result<bool> {
         let shape = &mut self.shapes[self.place.at];
         let most = match self.place.phase {

@@ -10,24 +10,27 @@ use crate::trace::refinement::grain::{Grain, grain, middle};
 use crate::trace::refinement::left::Left;
 use crate::trace::refinement::refine::{Refiner, Relaxing};
 
-/// The grain from which on pixels are not covered as exactly as bytes tell: edges that a few samples a pixel were drawn by have 0.01 to 0.04.
-/// Where at least so many windows of pixels say so, less is enough: of 160 drawings of exact coverage none of so many has more than 0.0053, and curves
-/// that are chords a quarter of a pixel off have 0.006 and more.
+/// The grain from which on pixels are not covered as exactly as bytes tell: edges that a few samples a pixel were drawn
+/// by have 0.01 to 0.04. Where at least so many windows of pixels say so, less is enough: of 160 drawings of exact
+/// coverage none of so many has more than 0.0053, and curves that are chords a quarter of a pixel off have 0.006 and
+/// more.
 const GRAINY: [f64; 2] = [8e-3, 5.5e-3];
 const MANY: usize = 40;
-/// Of fewer windows the lower quartile has to say at least so much of what the one in the middle says, or that nothing is exact.
+/// Of fewer windows the lower quartile has to say at least so much of what the one in the middle says, or that nothing
+/// is exact.
 const ALIKE: f64 = 0.6;
 /// And what is left from which on where edges are nearly level: four rows of samples a pixel leave 0.07 there.
 const UNEVEN: f64 = 0.04;
 /// Stretches that have to say so.
 const ENOUGH: usize = 3;
-/// How many times as much as fine outlines rough ones may leave for the rest to be none of the drawing, root mean squares: where flat places
-/// are not flat, and where they are. There fine outlines follow the grain, which has the period of their pieces, and chords. Last where they are of so
-/// few pixels a piece that these are no chords, but small letters, of which rough outlines leave five times the grain: they may leave it so many times.
+/// How many times as much as fine outlines rough ones may leave for the rest to be none of the drawing, root mean
+/// squares: where flat places are not flat, and where they are. There fine outlines follow the grain, which has the
+/// period of their pieces, and chords. Last where they are of so few pixels a piece that these are no chords, but small
+/// letters, of which rough outlines leave five times the grain: they may leave it so many times.
 const ROUGHER: [f64; 3] = [1.25, 3.5, 1.2];
 const GRAINS: f64 = 2.0;
-/// How many times farther than in a picture of exact coverage a large outline may be from an ellipse that it is: what draws by samples draws chords that
-/// are up to a third of a pixel off.
+/// How many times farther than in a picture of exact coverage a large outline may be from an ellipse that it is: what
+/// draws by samples draws chords that are up to a third of a pixel off.
 const FLATTENED: f64 = 7.5;
 /// More than this no pixels in a row are wrong by, however large the grain is: the limits of what is straight.
 const GRAINIEST: f64 = 0.05;
@@ -121,8 +124,9 @@ impl Refinement {
         }
     }
 
-    /// What is left in no more pixels than a sixth of those that outlines cross, once all have moved to where the picture calls them: so many may be
-    /// at the ends of strokes, which lack their corners still. It counts what is left between the sides of strokes, too.
+    /// What is left in no more pixels than a sixth of those that outlines cross, once all have moved to where the
+    /// picture calls them: so many may be at the ends of strokes, which lack their corners still. It counts what is
+    /// left between the sides of strokes, too.
     ///
     /// # Errors
     ///

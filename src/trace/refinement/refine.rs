@@ -26,7 +26,8 @@ impl Relaxing {
     pub(super) const BOLD: Self = Self { factor: 0.25, least: 1e-4, share: 1.0 };
     /// Where it is not, long steps follow what is noise.
     pub(super) const CAREFUL: Self = Self { factor: 0.5, least: 1e-3, share: 1.0 };
-    /// Where both sides of strokes cross the same pixels: the equations of a side know nothing of the other one, and each would take all that is left.
+    /// Where both sides of strokes cross the same pixels: the equations of a side know nothing of the other one, and
+    /// each would take all that is left.
     pub(super) const SHARED: Self = Self { share: 0.6, ..Self::BOLD };
 }
 
@@ -40,7 +41,8 @@ pub(super) const NOISY_SHARE: f64 = 5e-4;
 const WORTH: f64 = 0.3;
 /// A node comes to rest that promises less than this share of what bytes round in the parts beside it.
 const RESTING: f64 = 0.3;
-/// A step is tried if the equations promise this share of what would be enough: they know what they promise to a third or so.
+/// A step is tried if the equations promise this share of what would be enough: they know what they promise to a third
+/// or so.
 const PROMISE: f64 = 0.5;
 /// Places of a piece that are looked at to know whether it leaves the picture.
 const LOOKS: u8 = 16;
@@ -94,7 +96,8 @@ impl Shape {
 #[derive(Debug)]
 pub(super) struct Descent {
     most: usize,
-    /// The share of what is left that a step has to take away for another; nothing goes on below what bytes round either.
+    /// The share of what is left that a step has to take away for another; nothing goes on below what bytes round
+    /// either.
     enough: f64,
     damping: f64,
     /// The nodes that have not come to rest, if any have.
@@ -238,8 +241,8 @@ impl Refiner {
         self.equations.promises().filter(asks).map(|(node, _)| node).collect()
     }
 
-    /// One step: what was left before it and how much it has grown; if it would grow, nothing moves. `None` where no step promises
-    /// enough to be tried.
+    /// One step: what was left before it and how much it has grown; if it would grow, nothing moves. `None` where no
+    /// step promises enough to be tried.
     fn step(
         &mut self,
         field: &mut Field,

@@ -16,7 +16,8 @@ use crate::trace::outline::{Node, Outline, Piece};
 /// Places of a piece that are looked at, for each pixel of its length, and at most.
 const LOOKS: f64 = 4.0;
 const MOST_LOOKS: f64 = 65_536.0;
-/// The way back may be twice as long as the way that is left, and so much longer, in pixels; else it leads round the other side.
+/// The way back may be twice as long as the way that is left, and so much longer, in pixels; else it leads round the
+/// other side.
 const DETOUR: f64 = 4.0;
 /// An outline with more than this share of its pieces astray is given up as a whole.
 const MOST: f64 = 0.4;
@@ -24,13 +25,14 @@ const MOST: f64 = 0.4;
 const FARTHEST: f64 = 3.0;
 /// Pieces of the way back are at least so long, in pixels.
 const SHORTEST: f64 = 0.1;
-/// The way back may leave so many times as much of the squares, and so much more: a tip that was drawn leaves ten times as much without it.
+/// The way back may leave so many times as much of the squares, and so much more: a tip that was drawn leaves ten times
+/// as much without it.
 const WORSE: f64 = 1.5;
 const LITTLE: f64 = 0.02;
 /// The way back may leave so many times as much of the squares where nothing is explained.
 const NO_MATTER: f64 = 6.0;
-/// Nothing is explained near the contour, too, where so many pixels say it: there the way back has to turn less, by so many radians, and may
-/// leave so many times as much.
+/// Nothing is explained near the contour, too, where so many pixels say it: there the way back has to turn less, by so
+/// many radians, and may leave so many times as much.
 const PIXELS: f64 = 4.0;
 const CALMER: f64 = 0.35;
 const HARDLY_MATTERS: f64 = 3.0;
@@ -50,8 +52,8 @@ struct Way {
 }
 
 impl Refinement {
-    /// Leads the outline back to what it was at first where it is far from its contour and explains no more by that, or where it turns to and fro
-    /// though it explains nothing.
+    /// Leads the outline back to what it was at first where it is far from its contour and explains no more by that, or
+    /// where it turns to and fro though it explains nothing.
     ///
     /// # Cost
     ///
@@ -114,8 +116,8 @@ impl Back<'_> {
         left.count >= PIXELS && left.rms() > self.nothing[1]
     }
 
-    /// Puts the way that the first outline takes in the place of a run, if that is better. By how much that makes the numbers of the pieces before
-    /// it smaller.
+    /// Puts the way that the first outline takes in the place of a run, if that is better. By how much that makes the
+    /// numbers of the pieces before it smaller.
     fn lead(&mut self, shape: &mut Shape, first: &Outline, run: Run) -> Option<usize> {
         let (outline, all) = (&shape.outline, shape.outline.len());
         let ends = [outline.nodes[run.at].point, outline.nodes[(run.at + run.count) % all].point];
@@ -201,7 +203,8 @@ fn looks(cubic: &Cubic) -> usize {
     (LOOKS * cubic.taxi_length()).ceil().clamp(2.0, MOST_LOOKS) as usize
 }
 
-/// The way along an outline between the places of it that are nearest to two points; straight where both are the same, or the wrong way round.
+/// The way along an outline between the places of it that are nearest to two points; straight where both are the same,
+/// or the wrong way round.
 fn way_back(outline: &Outline, ends: [Point; 2]) -> Option<Way> {
     let [(from, s, off), (to, t, other)] = ends.map(|end| nearest(outline, end));
     if larger(off, other) > FARTHEST {

@@ -1,4 +1,5 @@
-//! Whether there is memory for what is done with an outline next: its many lists grow in passing, and none of them can fail.
+//! Whether there is memory for what is done with an outline next: its many lists grow in passing, and none of them can
+//! fail.
 
 use super::coverage::Part;
 use super::field::{Change, Field, SIDE};

@@ -21,8 +21,8 @@ use core::cmp::Ordering;
 const MOST: f64 = 1.2;
 /// Turning to and fro, or beside a corner, that no bend needs, in radians.
 const NEEDLESS: f64 = 0.35;
-/// An outline of so many pieces is looked through to its end before bends are found anew, and that at most so often. A shorter one
-/// begins with its last change: so what has been changed comes last.
+/// An outline of so many pieces is looked through to its end before bends are found anew, and that at most so often. A
+/// shorter one begins with its last change: so what has been changed comes last.
 const MANY: usize = 256;
 const MOST_ROUNDS: usize = 12;
 /// Bends this near each other are one, in pixels.
@@ -32,10 +32,12 @@ const NEAR: f64 = 2.5;
 const STEPS: [(usize, f64); 2] = [(3, 5e-4), (5, 5e-4)];
 /// What leaves so many times as much after the first steps will not get good.
 const HOPELESS: f64 = 6.0;
-/// A corner that turns by less than this share of what it has to, after any step, will not turn by more: of the 154 that were good on 240
-/// drawings of 64, 256 and 1024 pixels none had less than .99 on its way; 599 of the 1,019 others have.
+/// A corner that turns by less than this share of what it has to, after any step, will not turn by more: of the 154
+/// that were good on 240 drawings of 64, 256 and 1024 pixels none had less than .99 on its way; 599 of the 1,019 others
+/// have.
 const FLAT: f64 = 0.9;
-/// What turns to and fro by so much more than before will not become calm, in radians: on the way to what was good it was .45 at most.
+/// What turns to and fro by so much more than before will not become calm, in radians: on the way to what was good it
+/// was .45 at most.
 const WILD: f64 = 0.55;
 /// Pieces longer than this may turn back, in pixels.
 const LONG: f64 = 6.0;
@@ -98,8 +100,8 @@ impl Settling {
         self.at == self.rules.len()
     }
 
-    /// Tries the next bend as a corner, or the one that is none as a smooth way round: whichever explains the picture better, or as well
-    /// by less.
+    /// Tries the next bend as a corner, or the one that is none as a smooth way round: whichever explains the picture
+    /// better, or as well by less.
     ///
     /// # Cost
     ///
@@ -178,7 +180,8 @@ fn is_known(places: &[Point], place: Point) -> bool {
 }
 
 impl Trial<'_> {
-    /// A corner in place of the bend, its sides led on to it or not; whether it was better, and what is to be tried next otherwise.
+    /// A corner in place of the bend, its sides led on to it or not; whether it was better, and what is to be tried
+    /// next otherwise.
     fn corner(&mut self, bend: &Bend, rule: &BendRule, led: bool) -> Result<(bool, Option<Form>)> {
         let smooth = (false, Some(Form::Smooth));
         let outline = &self.shape.outline;
@@ -288,8 +291,8 @@ impl Trial<'_> {
         Ok((good, turns && new.is_some_and(|[_, new]| new.square < old[1].square)))
     }
 
-    /// Refines the new pieces of a window: what they leave, and near the bend, with the pieces beside them. Nothing, if on the way they
-    /// are where nothing good has come from.
+    /// Refines the new pieces of a window: what they leave, and near the bend, with the pieces beside them. Nothing, if
+    /// on the way they are where nothing good has come from.
     fn pursue(
         &mut self,
         window: &mut Window,
@@ -386,7 +389,8 @@ enum Want {
 }
 
 impl Want {
-    /// Whether what is left, of the pieces and near the bend, is as it has to be where so many pieces are replaced by so many.
+    /// Whether what is left, of the pieces and near the bend, is as it has to be where so many pieces are replaced by
+    /// so many.
     fn is_met(
         self,
         new: &[Left; 2],

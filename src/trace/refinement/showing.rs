@@ -1,4 +1,5 @@
-//! How outlines come into the field and leave it, a bit at a time: one of a long way would keep a trace from being stopped.
+//! How outlines come into the field and leave it, a bit at a time: one of a long way would keep a trace from being
+//! stopped.
 
 use super::Refinement;
 use super::blocks::BLOCK;
@@ -30,8 +31,8 @@ impl Refinement {
         true
     }
 
-    /// Puts the outline into the field: the next pieces of a long one, and when all have been noted the next rows; whether these were
-    /// the last.
+    /// Puts the outline into the field: the next pieces of a long one, and when all have been noted the next rows;
+    /// whether these were the last.
     pub(super) fn show_on(&mut self) -> bool {
         let shape = &mut self.shapes[self.place.at];
         let count = shape.outline.len();

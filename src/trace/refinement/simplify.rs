@@ -11,7 +11,8 @@ use crate::trace::outline::cubic::{Cubic, Tangent};
 use crate::trace::outline::{Outline, Piece};
 use crate::trace::samples::{turn, unit};
 
-/// A piece beside a longer straight one that turns by no more, in radians, may be merged with it; beside one shorter than this any piece may.
+/// A piece beside a longer straight one that turns by no more, in radians, may be merged with it; beside one shorter
+/// than this any piece may.
 const STUB: f64 = 0.25;
 const LONG: f64 = 16.0;
 /// Rounds of merging.
@@ -23,18 +24,21 @@ const FIRST_STEPS: usize = 2;
 const LAST_STEPS: usize = 6;
 /// The share of what is left that a step has to take away for another.
 const ENOUGH: f64 = 0.01;
-/// A merged piece that crosses more pixels than this may leave more in each, in proportion, but at most so many times as much: over a long way a
-/// joint is more than a fiftieth of a pixel.
+/// A merged piece that crosses more pixels than this may leave more in each, in proportion, but at most so many times
+/// as much: over a long way a joint is more than a fiftieth of a pixel.
 const LONG_WAY: f64 = 100.0;
 const MOST_EASE: f64 = 2.0;
-/// Joints that slid past each other hide their own cost: what takes their place may be so many times as far, and leave so many times as much.
+/// Joints that slid past each other hide their own cost: what takes their place may be so many times as far, and leave
+/// so many times as much.
 const SLID: f64 = 3.0;
 /// A merged piece that leaves so many times as much as it may will not get good.
 const HOPELESS: f64 = 3.0;
-/// How many times as much as usual may be left where the two were: what neither lacked the new piece may no longer cross, a notch that it passes by.
+/// How many times as much as usual may be left where the two were: what neither lacked the new piece may no longer
+/// cross, a notch that it passes by.
 const PASSED: f64 = 4.0;
 
-/// A round of taking joints away, one by one, while the picture stays as well explained as `limits` say. Only what is next to a joint moves.
+/// A round of taking joints away, one by one, while the picture stays as well explained as `limits` say. Only what is
+/// next to a joint moves.
 #[derive(Debug)]
 pub(super) struct Merging {
     /// How many joints have been looked at.
@@ -166,8 +170,8 @@ impl Trial<'_> {
     }
 }
 
-/// Whether a piece runs against its own tangents: its joints slid past each other, or it is more than half a turn, which may not be all that
-/// there was to be said by one piece.
+/// Whether a piece runs against its own tangents: its joints slid past each other, or it is more than half a turn,
+/// which may not be all that there was to be said by one piece.
 fn stunted(outline: &Outline, i: usize) -> bool {
     let Cubic { start, leaving, arriving, end } = outline.cubic(i);
     let chord = end - start;
@@ -249,7 +253,8 @@ mod tests {
 
     const SIDE: usize = 64;
 
-    /// An oval of quadratics that is no ellipse: where each ends, after its control point; the first begins where the last ends.
+    /// An oval of quadratics that is no ellipse: where each ends, after its control point; the first begins where the
+    /// last ends.
     const OVAL: [[f64; 4]; 10] = [
         [40.563, 15.401, 38.164, 12.451],
         [35.766, 9.501, 31.976, 9.501],
@@ -276,7 +281,8 @@ mod tests {
         (0..64).filter(|k| inside(at(column, k % 16, 16), at(row, k / 16, 4))).count() as f64 / 64.0
     }
 
-    /// The oval by two pieces, each of which is a little more than half a turn, and a short one between them, which has been tried.
+    /// The oval by two pieces, each of which is a little more than half a turn, and a short one between them, which has
+    /// been tried.
     fn outline() -> Outline {
         let node = |x: f64, y: f64, kept: bool| Node { point: Point::new(x, y), smooth: true, kept };
         let piece = |leaving: (f64, f64), arriving: (f64, f64)| Piece::Cubic {

@@ -4,7 +4,8 @@ use crate::error::Result;
 use crate::limits::refill;
 use wide::f64x2;
 
-/// The upper triangle, row by row from the diagonal to each row's last entry; room that is used for one system after another.
+/// The upper triangle, row by row from the diagonal to each row's last entry; room that is used for one system after
+/// another.
 #[derive(Debug, Default)]
 pub(super) struct Skyline {
     last: Vec<usize>,
@@ -17,7 +18,8 @@ pub(super) struct Skyline {
 }
 
 impl Skyline {
-    /// Begins a system of so many unknowns. The last column of every row is to be written into what this returns: each is its own so far.
+    /// Begins a system of so many unknowns. The last column of every row is to be written into what this returns: each
+    /// is its own so far.
     pub(super) fn begin(&mut self, count: usize) -> Result<&mut [usize]> {
         refill(&mut self.last, 0, count)?;
         self.last.iter_mut().enumerate().for_each(|(i, last)| *last = i);
@@ -50,7 +52,8 @@ impl Skyline {
     pub(super) fn factor(&mut self) {
         let mut i = 0;
         while let Some(&last) = self.last.get(i) {
-            // The rows of a node's unknowns mostly end together, and then the rows below are gone through half as often.
+            // The rows of a node's unknowns mostly end together, and then the rows below are gone through half as
+            // often.
             if self.last.get(i + 1) == Some(&last) {
                 self.eliminate_two(i);
                 i += 2;

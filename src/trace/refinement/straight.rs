@@ -16,7 +16,8 @@ const SHARE: f64 = 0.06;
 const LEAST: f64 = 3.0;
 /// How much neighbours may turn where they follow the chord.
 const SWING: f64 = 0.6;
-/// By how many squares of the noise a line may explain less, by how many of its ends are corners: a smooth outline is rather none (D 14.23).
+/// By how many squares of the noise a line may explain less, by how many of its ends are corners: a smooth outline is
+/// rather none (D 14.23).
 const SHARES: [f64; 3] = [2.0, 4.0, 8.0];
 const STEPS: (usize, f64) = (8, 5e-4);
 
@@ -27,7 +28,8 @@ pub(super) struct Straightening {
 }
 
 impl Straightening {
-    /// Tries the next piece that hardly bends: it becomes a line where the picture does not tell the two apart. Whether there was one.
+    /// Tries the next piece that hardly bends: it becomes a line where the picture does not tell the two apart. Whether
+    /// there was one.
     ///
     /// # Cost
     ///
@@ -54,8 +56,8 @@ fn nearly_straight(outline: &Outline, i: usize) -> bool {
 }
 
 impl Trial<'_> {
-    /// Puts a line in place of piece i and of straight ones that lead into it, and turns what is beside them; if that explains the picture worse, all
-    /// is as it was. Whether it did not.
+    /// Puts a line in place of piece i and of straight ones that lead into it, and turns what is beside them; if that
+    /// explains the picture worse, all is as it was. Whether it did not.
     fn straighten(&mut self, i: usize) -> Result<bool> {
         let outline = &self.shape.outline;
         let (mut first, mut end, mut count) = (i, outline.next(i), 1);

@@ -82,13 +82,14 @@ impl Sweep {
         self.touched.push(place);
     }
 
-    /// Covers what has been noted, tile by tile from the left: every tile goes on with the heights that those before it leave.
+    /// Covers what has been noted, tile by tile from the left: every tile goes on with the heights that those before it
+    /// leave.
     pub(super) fn cover(&mut self, field: &mut Field) -> f64 {
         self.cover_tiles(field, usize::MAX, true).0
     }
 
-    /// The same for as many rows of tiles as have `most` of what has been noted, without taking note of what takes it back: all that an outline
-    /// encloses is as much as the picture. Whether these rows were the last.
+    /// The same for as many rows of tiles as have `most` of what has been noted, without taking note of what takes it
+    /// back: all that an outline encloses is as much as the picture. Whether these rows were the last.
     pub(super) fn cover_rows(&mut self, field: &mut Field, most: usize) -> bool {
         let last = self.cover_tiles(field, most, false).1;
         if last {
@@ -98,7 +99,8 @@ impl Sweep {
         last
     }
 
-    /// Covers rows of tiles, which can be taken back or not; how much the sum of squares grows, and whether these rows were the last.
+    /// Covers rows of tiles, which can be taken back or not; how much the sum of squares grows, and whether these rows
+    /// were the last.
     fn cover_tiles(&mut self, field: &mut Field, most: usize, revocable: bool) -> (f64, bool) {
         // Heights cancel to rounding behind what has changed.
         const NOTHING: f32 = 1e-5;

@@ -169,8 +169,8 @@ mod tests {
         }
     }
 
-    /// Where two circles of radius 18 overlap whose centres are so far above and below (24, 24), with corners where they meet; one turns by so much
-    /// besides.
+    /// Where two circles of radius 18 overlap whose centres are so far above and below (24, 24), with corners where
+    /// they meet; one turns by so much besides.
     fn lens(off: f64, kink: f64) -> Outline {
         let angle = (off / 18.0).asin();
         let quarter = 0.5 * (core::f64::consts::PI - 2.0 * angle);

@@ -1,4 +1,5 @@
-//! Corners that nobody drew: tips that pixels have cut off become the one corner where their sides meet; folds and kinks go.
+//! Corners that nobody drew: tips that pixels have cut off become the one corner where their sides meet; folds and
+//! kinks go.
 
 use super::field::Field;
 use super::left::Left;
@@ -26,8 +27,8 @@ const KINKS: [f64; 2] = [0.175, 0.35];
 const STEPS: [(usize, f64); 2] = [(8, 5e-4), (6, 0.01)];
 
 impl Trial<'_> {
-    /// Puts a tip where the sides beside piece i meet, as long as the picture is explained as well as before or as the limits say. The next
-    /// piece, and whether it was tried.
+    /// Puts a tip where the sides beside piece i meet, as long as the picture is explained as well as before or as the
+    /// limits say. The next piece, and whether it was tried.
     ///
     /// # Cost
     ///
@@ -40,8 +41,8 @@ impl Trial<'_> {
         Ok((i + 1, tip.is_some()))
     }
 
-    /// Takes a corner away at which the outline turns back on its own way or round for a short while, as long as the picture is explained as well as
-    /// before or as the limits say. The next node, and whether it was tried.
+    /// Takes a corner away at which the outline turns back on its own way or round for a short while, as long as the
+    /// picture is explained as well as before or as the limits say. The next node, and whether it was tried.
     ///
     /// # Cost
     ///
@@ -73,8 +74,9 @@ impl Trial<'_> {
         self.attempt(Stretch { first: before, count: 2, pieces: vec![piece], between: Vec::new() }, 0)
     }
 
-    /// Refines a stretch; if it does not explain the picture as well as what was there or as the limits say, all is as it was. Whether it was good.
-    /// With `ends` 1 the ends of the stretch stay, only what is between its first and last piece has to be good, and the outline begins with it then.
+    /// Refines a stretch; if it does not explain the picture as well as what was there or as the limits say, all is as
+    /// it was. Whether it was good. With `ends` 1 the ends of the stretch stay, only what is between its first and last
+    /// piece has to be good, and the outline begins with it then.
     pub(super) fn attempt(&mut self, stretch: Stretch, ends: usize) -> Result<bool> {
         // With ends that move the pieces beside it do.
         let around = |shape: &Shape, field: &Field, first: usize, count: usize| {
@@ -114,8 +116,8 @@ impl Trial<'_> {
         Ok(())
     }
 
-    /// Makes corner i, which hardly turns, a smooth joint, as long as the picture is explained as well as before or as the limits say. The next
-    /// node, and whether it was tried.
+    /// Makes corner i, which hardly turns, a smooth joint, as long as the picture is explained as well as before or as
+    /// the limits say. The next node, and whether it was tried.
     ///
     /// # Cost
     ///
@@ -138,7 +140,8 @@ impl Trial<'_> {
     }
 }
 
-/// Whether the outline turns back at node i, where a short piece begins or ends, or goes round on that piece only to go on as it came.
+/// Whether the outline turns back at node i, where a short piece begins or ends, or goes round on that piece only to go
+/// on as it came.
 fn is_fold(outline: &Outline, i: usize) -> bool {
     let before = outline.before(i);
     if outline.len() < 4 || outline.nodes[i].smooth {

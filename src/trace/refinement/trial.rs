@@ -43,7 +43,8 @@ impl Limits {
         }
     }
 
-    /// Whether what was put in the place of something explains the picture as well, or well enough. `ease` makes more enough.
+    /// Whether what was put in the place of something explains the picture as well, or well enough. `ease` makes more
+    /// enough.
     pub(super) fn allow(&self, now: &Left, before: &Left, ease: f64) -> bool {
         now.square <= before.square + self.share * self.noise * self.noise
             || now.rms() <= ease * self.rms && now.most <= ease * self.most

@@ -7,7 +7,8 @@ use crate::trace::outline::{Node, Outline, Piece};
 use crate::trace::samples::unit;
 use core::ops::Range;
 
-/// How one of the four vectors of a piece (its start, the way leaving, the way arriving, its end) changes with one unknown or two.
+/// How one of the four vectors of a piece (its start, the way leaving, the way arriving, its end) changes with one
+/// unknown or two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Term {
     /// Which vector.
@@ -47,7 +48,8 @@ impl Term {
     }
 }
 
-/// The unknowns of a node: the first of all, that of its point, and those of the ways from and to the control points beside it.
+/// The unknowns of a node: the first of all, that of its point, and those of the ways from and to the control points
+/// beside it.
 #[derive(Clone, Copy, Debug)]
 struct Base {
     first: usize,
@@ -69,8 +71,9 @@ impl Base {
 
 /// The numbering of the unknowns of some nodes of one outline; the other nodes stay where they are.
 ///
-/// A node has its two coordinates; at a corner both coordinates of the way to the control point of each cubic beside it; between
-/// two cubics that meet smoothly the angle of the tangent and two lengths; beside a straight piece one length, for the straight piece has the direction.
+/// A node has its two coordinates; at a corner both coordinates of the way to the control point of each cubic beside
+/// it; between two cubics that meet smoothly the angle of the tangent and two lengths; beside a straight piece one
+/// length, for the straight piece has the direction.
 #[derive(Debug, Default)]
 pub(super) struct Unknowns {
     /// Those of every node.
@@ -124,7 +127,8 @@ impl Unknowns {
                     [ways(before), 2, ways(node)]
                 }
             };
-            // A way has to do with one of its neighbours only: first the one that leads to a node in the list already, last the other.
+            // A way has to do with one of its neighbours only: first the one that leads to a node in the list already,
+            // last the other.
             let first = self.end;
             let next = outline.next(node);
             self.base[node] = if self.base[before].is_fixed() && !self.base[next].is_fixed() {
@@ -309,7 +313,8 @@ mod tests {
     #[cfg(target_arch = "wasm32")]
     use wasm_bindgen_test::wasm_bindgen_test as test;
 
-    /// A corner between cubics, a joint of cubics, a joint before a straight piece, one after it, and a corner after a straight piece.
+    /// A corner between cubics, a joint of cubics, a joint before a straight piece, one after it, and a corner after a
+    /// straight piece.
     fn outline() -> Outline {
         let node = |x: f64, y: f64, smooth: bool| Node { point: Point::new(x, y), smooth, kept: false };
         let cubic =

@@ -19,8 +19,8 @@ pub(super) struct Stretch {
     pub(super) between: Vec<Node>,
 }
 
-/// A stretch on trial. Its outline begins with the new pieces; then come those behind it and those before it. Where the rest of a
-/// long outline is, there is one straight piece without parts, which nothing moves.
+/// A stretch on trial. Its outline begins with the new pieces; then come those behind it and those before it. Where the
+/// rest of a long outline is, there is one straight piece without parts, which nothing moves.
 #[derive(Debug)]
 pub(super) struct Window {
     pub(super) shape: Shape,
@@ -93,8 +93,8 @@ impl Window {
         refiner.give_back(self.shape.parts);
     }
 
-    /// The outline has the stretch now; the number of its first piece. Pieces before it keep their numbers, unless the stretch led past
-    /// the last piece.
+    /// The outline has the stretch now; the number of its first piece. Pieces before it keep their numbers, unless the
+    /// stretch led past the last piece.
     ///
     /// # Cost
     ///

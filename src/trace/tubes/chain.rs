@@ -59,7 +59,8 @@ pub struct TubeFit {
     pub control: Vec<Point>,
     /// Its knots, as distances from the first joint along the chord; `None` for a line through too few points.
     pub knots: Option<Knots>,
-    /// Knots and neighbours, and the error of predicting each point from the others; `None` for a line through too few points.
+    /// Knots and neighbours, and the error of predicting each point from the others; `None` for a line through too few
+    /// points.
     pub choice: Option<Choice>,
     /// Root mean square of the ordinates' residuals, in the unit of the points.
     pub rmse: f64,
@@ -108,8 +109,8 @@ impl Chain {
         }
     }
 
-    /// The points within `window` along the chain on one side of point i, nearest first, with their distances along it. Never
-    /// more than once around.
+    /// The points within `window` along the chain on one side of point i, nearest first, with their distances along it.
+    /// Never more than once around.
     pub(super) fn side(&self, i: usize, window: f64, forward: bool, visit: &mut dyn FnMut(f64, Point)) {
         let (mut at, mut travelled) = (i, 0.0);
         for _ in 1..self.points.len() {
@@ -123,8 +124,8 @@ impl Chain {
         }
     }
 
-    /// Point, tangent and curvature at point i: the parabola in the distance along the chain that is nearest, in the mean square,
-    /// to the points within `window` on both sides.
+    /// Point, tangent and curvature at point i: the parabola in the distance along the chain that is nearest, in the
+    /// mean square, to the points within `window` on both sides.
     ///
     /// # Cost
     ///
@@ -160,10 +161,11 @@ impl Chain {
         line_through(&points).direction
     }
 
-    /// Divides the chain into tubes: at every cusp, and where the tangent has turned by more than `angle` since the tube began.
+    /// Divides the chain into tubes: at every cusp, and where the tangent has turned by more than `angle` since the
+    /// tube began.
     ///
-    /// A closed chain begins at its first cusp, or at point 0. Every point belongs to a tube; neighbours share their joint. With
-    /// `angle` below a quarter turn every tube is a graph over its chord (D 14.7).
+    /// A closed chain begins at its first cusp, or at point 0. Every point belongs to a tube; neighbours share their
+    /// joint. With `angle` below a quarter turn every tube is a graph over its chord (D 14.7).
     ///
     /// # Errors
     ///
@@ -277,8 +279,8 @@ impl Frame {
 
 /// The weighted quasi-interpolant of a tube between its joints, with as many knots and neighbours as `method` chooses.
 ///
-/// The frame has both joints on its x axis; points beyond them do not count. At a joint with a tangent the second control point
-/// is on the tangent.
+/// The frame has both joints on its x axis; points beyond them do not count. At a joint with a tangent the second
+/// control point is on the tangent.
 ///
 /// # Errors
 ///

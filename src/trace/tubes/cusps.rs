@@ -50,9 +50,10 @@ impl Wing {
 impl Chain {
     /// The cusps, by index.
     ///
-    /// Both sides of a point are followed by a line and by a parabola. The turning between the lines, or 1.6 times that between
-    /// the parabolas' tangents at the point if it is less, has to be a local maximum over the window and at least the rule's
-    /// angle (D 14.5). Where the lines meet farther from the chain than the rule's reach it is a small round and no cusp.
+    /// Both sides of a point are followed by a line and by a parabola. The turning between the lines, or 1.6 times that
+    /// between the parabolas' tangents at the point if it is less, has to be a local maximum over the window and at
+    /// least the rule's angle (D 14.5). Where the lines meet farther from the chain than the rule's reach it is a small
+    /// round and no cusp.
     ///
     /// # Errors
     ///
@@ -85,8 +86,8 @@ impl Chain {
         Ok(found)
     }
 
-    /// The points on one side of point i with their distances from it along the chain, nearest first; `None` where the side is
-    /// not long enough.
+    /// The points on one side of point i with their distances from it along the chain, nearest first; `None` where the
+    /// side is not long enough.
     fn wing(&self, i: usize, rule: &CuspRule, forward: bool) -> Option<Wing> {
         let here = self.points()[i];
         let mut wing = Wing { points: Vec::new(), parabola: Parabola::new(), forward };
@@ -150,8 +151,8 @@ impl Chain {
         (norm(point - here) <= reach).then_some(point)
     }
 
-    /// How far points are off the chain, as a standard deviation: the root mean square distance of each from the line through its
-    /// neighbours, without the largest twentieth, over √1.5.
+    /// How far points are off the chain, as a standard deviation: the root mean square distance of each from the line
+    /// through its neighbours, without the largest twentieth, over √1.5.
     ///
     /// The middle of the distances would not do: along straight rows of pixels most of them are 0.
     pub fn noise(&self) -> f64 {

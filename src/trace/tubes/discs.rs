@@ -1,6 +1,7 @@
 //! The published way to divide a profile: a walk from disc to disc over points without order.
 //!
-//! It is here to be compared with. It jumps to strands that are near and leaves points out, which walking along the chain cannot (D 14.7).
+//! It is here to be compared with. It jumps to strands that are near and leaves points out, which walking along the
+//! chain cannot (D 14.7).
 
 use super::chain::Chain;
 use crate::error::Result;
@@ -44,8 +45,8 @@ pub struct DiscTube {
 }
 
 impl DiscTube {
-    /// Whether the tube's points look like a graph over its chord: those next to each other along it differ across it by at most
-    /// two pixels, and twice what they are apart along it.
+    /// Whether the tube's points look like a graph over its chord: those next to each other along it differ across it
+    /// by at most two pixels, and twice what they are apart along it.
     pub fn is_graph(&self, chain: &Chain) -> bool {
         let way = self.ends[1] - self.ends[0];
         let along = way / norm(way).max(f64::MIN_POSITIVE);
@@ -175,8 +176,8 @@ impl Ground<'_> {
 }
 
 impl Chain {
-    /// Radii for a walk in discs: three times a smoothing radius that covers the noise, but less than half of the way to the
-    /// nearest other strand; `None` where strands are so near that no radius is safe.
+    /// Radii for a walk in discs: three times a smoothing radius that covers the noise, but less than half of the way
+    /// to the nearest other strand; `None` where strands are so near that no radius is safe.
     ///
     /// # Cost
     ///
@@ -193,7 +194,8 @@ impl Chain {
         })
     }
 
-    /// The least distance of points that are more than four times as far from each other along the chain, and the chain's length.
+    /// The least distance of points that are more than four times as far from each other along the chain, and the
+    /// chain's length.
     fn separation(&self) -> (f64, f64) {
         let points = self.points();
         let mut travelled = Vec::new();
@@ -223,8 +225,8 @@ impl Chain {
         (least, length)
     }
 
-    /// Divides the points by walking from disc to disc, from point `start` on, and, where the walk ends without coming back, from
-    /// there the other way.
+    /// Divides the points by walking from disc to disc, from point `start` on, and, where the walk ends without coming
+    /// back, from there the other way.
     ///
     /// # Errors
     ///

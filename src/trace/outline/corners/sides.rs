@@ -51,7 +51,8 @@ impl<'a> Sides<'a> {
         ]
     }
 
-    /// The tangents at the place that both sides lead to, each by a parabola over its side's own axis, the line through it.
+    /// The tangents at the place that both sides lead to, each by a parabola over its side's own axis, the line through
+    /// it.
     #[inline]
     pub(super) fn end_tangents(&self, lines: [Vector; 2], here: Point) -> [Vector; 2] {
         let [u, v] = Pair::of(lines[0], lines[1]);

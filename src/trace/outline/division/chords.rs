@@ -9,7 +9,8 @@ use crate::trace::outline::rounds::Arc;
 use crate::trace::outline::{Node, Outline, Piece};
 use crate::trace::samples::{turn, unit};
 
-/// How far a curve is from the chords that it was drawn by, and its root mean square, as shares of what a cubic may be off by.
+/// How far a curve is from the chords that it was drawn by, and its root mean square, as shares of what a cubic may be
+/// off by.
 const CHORDS: [f64; 2] = [0.8, 0.75];
 /// How many times as much of a contour a tangent is taken from where it may be of chords.
 const SEVERAL: f64 = 2.5;

@@ -76,7 +76,8 @@ impl Divider<'_> {
                 while to > good - trim && !fits(to) {
                     to -= 1;
                 }
-                // On a curve the contour is straight for a while by chance; beside a corner there is nothing else to go by.
+                // On a curve the contour is straight for a while by chance; beside a corner there is nothing else to go
+                // by.
                 let beside = corners && (from - first <= near || last - to <= near);
                 if beside || to - from >= most {
                     runs.push(Run { first: from, last: to, line });

@@ -85,7 +85,8 @@ impl Divider<'_> {
         stretch.at.index >= end.index || self.curve_on(stretch.at, end, &mut stretch.way, room)
     }
 
-    /// Cubics from one anchor to the next: as few as the tolerance allows, of about equal deviation. Whether they are all there.
+    /// Cubics from one anchor to the next: as few as the tolerance allows, of about equal deviation. Whether they are
+    /// all there.
     fn curve_on(&mut self, from: Anchor, to: Anchor, way: &mut Option<Way>, room: &mut isize) -> bool {
         let cubics = self.follow(from, to, way, room);
         let done = cubics.is_some();

@@ -1,4 +1,5 @@
-//! Fields of pictures that are blurred: what is left is compared with the outlines blurred alike, tile by tile, where something has changed.
+//! Fields of pictures that are blurred: what is left is compared with the outlines blurred alike, tile by tile, where
+//! something has changed.
 
 use super::levels::Levels;
 use super::{AREA, Field, NONE, SIDE, tile};
@@ -26,7 +27,8 @@ pub(super) struct Blur {
     /// What the picture shows.
     target: Levels,
     pub(super) cover: Vec<f32>,
-    /// What is left, blurred once more: what it says to the outlines. Found for tiles that are asked, as most trials ask few.
+    /// What is left, blurred once more: what it says to the outlines. Found for tiles that are asked, as most trials
+    /// ask few.
     lead: Vec<f32>,
     /// The region of each tile whose lead is not known.
     unheard: Vec<Region>,
@@ -398,7 +400,8 @@ fn rows<const N: usize>(column: &[f32], from: usize) -> [f32x4; N] {
     rows.map(f32x4::new)
 }
 
-/// What is in the middle, `REACH` places from the first, and at every distance on both sides of it, by the weights of a blur.
+/// What is in the middle, `REACH` places from the first, and at every distance on both sides of it, by the weights of a
+/// blur.
 #[inline(always)]
 fn weighted<const N: usize>(gaussian: &Gaussian, at: impl Fn(usize) -> [f32x4; N]) -> [f32x4; N] {
     let &Gaussian { weights: [middle, ref others @ ..], reach } = gaussian;

@@ -15,10 +15,11 @@ const STEP: f64 = 0.25;
 /// How a picture and what covers it come to be blurred alike.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::trace::refinement) enum Alike {
-    /// Both are blurred by a Gaussian of a deviation in pixels, so that a picture says where an edge is by more than the pixels that the edge is in.
+    /// Both are blurred by a Gaussian of a deviation in pixels, so that a picture says where an edge is by more than
+    /// the pixels that the edge is in.
     Both(f64),
-    /// The picture is blurred already, and once more by a Gaussian of a deviation, which may be 0; outlines are, by as much as makes them most
-    /// like it.
+    /// The picture is blurred already, and once more by a Gaussian of a deviation, which may be 0; outlines are, by as
+    /// much as makes them most like it.
     Found(f64),
 }
 
