@@ -62,10 +62,12 @@
 //! | crate root | curves, [`TensorSurface`], the trait [`Curve`] that has the measures, [`Error`] |
 //! | [`svg`] | path data in and out |
 //! | [`fit`] | noisy points → curves: [`fit::fit`], and [`fit::Fitter`] in steps that can be stopped |
-//! | [`trace`] | pictures → curves: [`trace::trace`], and [`trace::Tracer`] in steps; edges, centre lines, flat colours |
+//! | [`trace`] | pictures → curves, also edges, centre lines and flat colours: [`trace::trace`], [`trace::Tracer`] |
 //! | [`surface`] | nets, meshes and what an edit touches |
 //! | [`curve`], [`generator`], [`refine`] | what curves are made of: segments, bases, filters and masks |
-//! | [`numerics`] | points and vectors ([`nalgebra`](https://docs.rs/nalgebra)'s), and mathematics that knows no splines |
+//! | [`numerics`] | points and vectors, which are [nalgebra]'s, and mathematics that knows no splines |
+//!
+//! [nalgebra]: https://docs.rs/nalgebra
 //!
 //! # Vocabulary
 //!

@@ -84,7 +84,8 @@ pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>> {
     }
 }
 
-/// Whether there is room for so many bytes in one piece, or an error: before work whose many lists cannot fail one by one.
+/// Whether there is room for so many bytes in one piece, or an error: before work whose many lists cannot fail one by
+/// one.
 pub(crate) fn probe(bytes: usize) -> Result<()> {
     let room: Vec<u8> = with_room(bytes)?;
     // What is not looked at may be left out altogether.

@@ -14,10 +14,10 @@ use crate::limits::{MOST_EVALUATIONS, check, too_many, with_room};
 ///
 /// # Accuracy
 ///
-/// 1e-15 of the largest value, and of the largest of each derivative, however many roots and however they lie: repeated, tiny
-/// and clustered ones are no special case, and those far from the imaginary axis neither, up to |re| = 96/n₀
-/// (`tests/b_splines.rs`). A few larger ones among many others cancel: 3e-12 of the value and 4e-6 of the sixth derivative are left
-/// for six times 0 and ±20.
+/// 1e-15 of the largest value, and of the largest of each derivative, however many roots and however they lie:
+/// repeated, tiny and clustered ones are no special case, and those far from the imaginary axis neither, up
+/// to |re| = 96/n₀ (`tests/b_splines.rs`). A few larger ones among many others cancel: 3e-12 of the value and 4e-6 of
+/// the sixth derivative are left for six times 0 and ±20.
 ///
 /// # Source
 ///
@@ -63,8 +63,8 @@ impl ExponentialBSpline {
         &self.roots
     }
 
-    /// The polynomial on [k − n₀/2, k + 1 − n₀/2], k = 0 … n₀ − 1, in ascending powers of the distance from the middle of
-    /// that interval. All have one length; beyond k = n₀ − 1 there is none.
+    /// The polynomial on [k − n₀/2, k + 1 − n₀/2], k = 0 … n₀ − 1, in ascending powers of the distance from the middle
+    /// of that interval. All have one length; beyond k = n₀ − 1 there is none.
     pub fn piece(&self, k: usize) -> &[f64] {
         if k < self.order() { self.pieces.piece(k) } else { &[] }
     }

@@ -34,18 +34,18 @@ const LOOKS: usize = 40;
 
 /// The interpolator φ of a list of roots: φ(k) = δₖ, φ = λ₀β + Σₙ λₙ(β(· − n/2) + β(· + n/2)), n ≤ n₀ − 2.
 ///
-/// It is even, has n₀ − 2 continuous derivatives and vanishes for |x| ≥ n₀ − 1. Its integer shifts reproduce what the roots
-/// stand for.
+/// It is even, has n₀ − 2 continuous derivatives and vanishes for |x| ≥ n₀ − 1. Its integer shifts reproduce what the
+/// roots stand for.
 ///
 /// # Domain
 ///
-/// Lists of 3 roots and more that are closed under conjugation and negation, with |im| < π. There it exists, as far as anyone
-/// knows; the conjecture that it always does is false (docs/SOURCES.md).
+/// Lists of 3 roots and more that are closed under conjugation and negation, with |im| < π. There it exists, as far as
+/// anyone knows; the conjecture that it always does is false (docs/SOURCES.md).
 ///
 /// # Accuracy
 ///
-/// 1e-15 of the largest value, λ itself 1e-15 (`tests/interpolators.rs`): the pieces are added up in twofold precision. Roots
-/// that crowd near ±iπ make φ large between the points: see [`Self::condition`] and [`Self::lebesgue`].
+/// 1e-15 of the largest value, λ itself 1e-15 (`tests/interpolators.rs`): the pieces are added up in twofold precision.
+/// Roots that crowd near ±iπ make φ large between the points: see [`Self::condition`] and [`Self::lebesgue`].
 ///
 /// # Source
 ///
@@ -60,8 +60,9 @@ const LOOKS: usize = 40;
 /// assert_eq!(generator.support(), 2);
 /// // A circle through five points: cos(2π/5·t) halfway between two of them.
 /// let places = [-1.5, -0.5, 0.5, 1.5];
-/// let value: f64 = places.iter().map(|x| generator.at(*x, 0) * (core::f64::consts::TAU / 5.0 * (0.5 - x)).cos()).sum();
-/// assert!((value - (core::f64::consts::PI / 5.0).cos()).abs() < 1e-15);
+/// let angle = core::f64::consts::TAU / 5.0;
+/// let value: f64 = places.iter().map(|x| generator.at(*x, 0) * (angle * (0.5 - x)).cos()).sum();
+/// assert!((value - (angle / 2.0).cos()).abs() < 1e-15);
 /// # Ok::<(), expline::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -149,8 +150,8 @@ impl Interpolator {
         &self.spline
     }
 
-    /// The polynomial on [k/2, (k + 1)/2], k = −2(n₀ − 1) … 2(n₀ − 1) − 1, in ascending powers of the distance from the middle
-    /// of that interval; empty elsewhere. All have one length.
+    /// The polynomial on [k/2, (k + 1)/2], k = −2(n₀ − 1) … 2(n₀ − 1) − 1, in ascending powers of the distance from the
+    /// middle of that interval; empty elsewhere. All have one length.
     pub fn half_piece(&self, k: isize) -> &[f64] {
         let first = 2 * self.support() as isize;
         if (-first..first).contains(&k) { self.halves.piece((k + first) as usize) } else { &[] }
@@ -181,8 +182,8 @@ impl Interpolator {
         self.condition
     }
 
-    /// How far Σₙλₙe^{−αn/2}·β̂(α) is from 1, at the worst root α and beyond what roundings explain: a check on all of the
-    /// computation, in twofold precision (D 9.5).
+    /// How far Σₙλₙe^{−αn/2}·β̂(α) is from 1, at the worst root α and beyond what roundings explain: a check on all of
+    /// the computation, in twofold precision (D 9.5).
     pub fn identity(&self) -> f64 {
         self.identity
     }
@@ -277,9 +278,9 @@ fn nonexistent() -> Box<Error> {
 
 /// λ and the condition of its system.
 ///
-/// Row k says φ(k) = δₖ: `A[k][l]` = β(k − l/2) + β(k + l/2), without the second term for l = 0 [SFBGU17, eq. 26, 27]. What is
-/// left over in twofold numbers goes through the same elimination until nothing is (D 9.4), in which there are closed forms for three
-/// roots, too, that are less exact near π.
+/// Row k says φ(k) = δₖ: `A[k][l]` = β(k − l/2) + β(k + l/2), without the second term for l = 0 [SFBGU17, eq. 26, 27].
+/// What is left over in twofold numbers goes through the same elimination until nothing is (D 9.4), in which there are
+/// closed forms for three roots, too, that are less exact near π.
 #[inline(never)]
 fn solve(order: usize, exact: &Propagated) -> Result<(Vec<Twofold>, f64)> {
     let size = order - 1;
@@ -324,7 +325,8 @@ fn solve(order: usize, exact: &Propagated) -> Result<(Vec<Twofold>, f64)> {
     Ok((lambda, condition))
 }
 
-/// φ on every half interval: the halves of the B-spline's pieces, weighted by λ, about the middles of the halves (D 9.3).
+/// φ on every half interval: the halves of the B-spline's pieces, weighted by λ, about the middles of the halves
+/// (D 9.3).
 #[inline(never)]
 fn halves(order: usize, exact: &Propagated, lambda: &[Twofold]) -> Result<PolynomialPieces> {
     let terms = exact.terms;
@@ -362,8 +364,8 @@ fn halves(order: usize, exact: &Propagated, lambda: &[Twofold]) -> Result<Polyno
     Ok(pieces)
 }
 
-/// Makes φ(k) = 0 hold to the last bit and φ(0) = 1 to the last but one, from either side, by what rounding took from the
-/// constant terms.
+/// Makes φ(k) = 0 hold to the last bit and φ(0) = 1 to the last but one, from either side, by what rounding took from
+/// the constant terms.
 fn settle(pieces: &mut PolynomialPieces) {
     let count = pieces.count();
     for (k, piece) in pieces.coefficients.chunks_exact_mut(pieces.stride).enumerate() {

@@ -1,6 +1,7 @@
 //! The pieces of exponential B-splines, from knot to knot, in numbers of two doubles.
 //!
-//! Roots far from the imaginary axis, and interpolators of roots near ±iπ, cancel up to 16 digits; twofold numbers have 32.
+//! Roots far from the imaginary axis, and interpolators of roots near ±iπ, cancel up to 16 digits; twofold numbers
+//! have 32.
 
 use super::pieces::PolynomialPieces;
 use super::roots::Roots;
@@ -10,12 +11,14 @@ use crate::numerics::twofold::Twofold;
 
 /// Taylor sums end where what is left is below this share of the largest term.
 const NEGLIGIBLE: f64 = 1e-30;
-/// Coefficients below this share of the largest, at the end of a piece, are cut off: derivatives amplify what is missing.
+/// Coefficients below this share of the largest, at the end of a piece, are cut off: derivatives amplify what is
+/// missing.
 const CUT: f64 = 1e-19;
 /// And those below this share of each derivative: large roots that hardly show in the values do show there.
 const CUT_OF_DERIVATIVES: f64 = 1e-16;
 
-/// The integral is known from the roots; where that of the pieces is off by this share of their size, their digits are lost.
+/// The integral is known from the roots; where that of the pieces is off by this share of their size, their digits are
+/// lost.
 const SOUND: f64 = 1e-9;
 
 /// Pieces of length 1 in ascending powers of the distance from their middle, `terms` coefficients each.
@@ -106,7 +109,8 @@ impl Propagated {
         most
     }
 
-    /// How many coefficients the function needs, cut at a share of its largest term, and its derivatives, cut at one of theirs.
+    /// How many coefficients the function needs, cut at a share of its largest term, and its derivatives, cut at one of
+    /// theirs.
     fn needed(&self, half: f64, [share, of_derivatives]: [f64; 2], derivatives: usize) -> usize {
         let mut terms = self.largest(half);
         let mut needed = last_above(share, &terms);
@@ -155,8 +159,8 @@ fn terms(order: usize, largest: f64) -> usize {
 
 /// The first `count` pieces of the causal B-spline.
 ///
-/// The state, n₀ derivatives at a knot, goes to the next knot by Taylor's sum; there the derivative of order n₀ − 1 jumps
-/// by the next coefficient of Π(1 − e^a z) (D 9.1).
+/// The state, n₀ derivatives at a knot, goes to the next knot by Taylor's sum; there the derivative of order n₀ − 1
+/// jumps by the next coefficient of Π(1 − e^a z) (D 9.1).
 #[inline(never)]
 fn from_the_left(roots: &Roots, count: usize, terms: usize, pieces: &mut Vec<Twofold>) {
     let (characteristic, jumps, order) = (roots.operator(), roots.recurrence(), roots.order());
@@ -189,8 +193,8 @@ fn by_factorials(numbers: &mut [Twofold], times: bool) {
     }
 }
 
-/// A polynomial about a place that is `by` further on, in place, its first `wanted` coefficients only; `by` is a power of two or
-/// its opposite.
+/// A polynomial about a place that is `by` further on, in place, its first `wanted` coefficients only; `by` is a power
+/// of two or its opposite.
 #[inline(never)]
 pub(super) fn recentre(coefficients: &mut [Twofold], by: f64, wanted: usize) {
     let count = coefficients.len();

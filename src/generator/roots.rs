@@ -280,7 +280,8 @@ impl Roots {
     }
 }
 
-/// A root whose frequency is not below a limit: the error has the largest number that is, as the range that it prints has its ends.
+/// A root whose frequency is not below a limit: the error has the largest number that is, as the range that it prints
+/// has its ends.
 #[cold]
 pub(crate) fn too_fast(i: usize, im: f64, limit: f64) -> Box<Error> {
     let most = limit.min(im.abs()).next_down();

@@ -3,7 +3,8 @@
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, check, settle};
 
-/// How far the last row of a 4 × 4 matrix may be from 0, 0, 0, 1: products and inverses in single precision are off by as much.
+/// How far the last row of a 4 × 4 matrix may be from 0, 0, 0, 1: products and inverses in single precision are off by
+/// as much.
 const ROUNDED: f64 = 1e-6;
 
 /// An affine map: the columns of its matrix, and last where it takes the origin.
@@ -14,12 +15,13 @@ pub(crate) struct Affine<'a> {
 }
 
 impl<'a> Affine<'a> {
-    /// In the plane the map of the 6 numbers of an SVG matrix, in space that of the 16 of a 4 × 4 matrix, column by column.
+    /// In the plane the map of the 6 numbers of an SVG matrix, in space that of the 16 of a 4 × 4 matrix, column by
+    /// column.
     ///
     /// # Errors
     ///
-    /// `matrix`: another length; an entry that is not finite; a last row other than 0, 0, 0, 1; a translation of what is not
-    /// `movable`, as it does not keep constants.
+    /// `matrix`: another length; an entry that is not finite; a last row other than 0, 0, 0, 1; a translation of what
+    /// is not `movable`, as it does not keep constants.
     pub(crate) fn new(matrix: &'a [f64], dimension: usize, movable: bool) -> Result<Self> {
         let needed = if dimension == 2 { 6 } else { 16 };
         if matrix.len() != needed {

@@ -1,4 +1,5 @@
-//! Sine and cosine, with nothing but multiplications and additions: the same bits in every engine; and what is periodic otherwise.
+//! Sine and cosine, with nothing but multiplications and additions: the same bits in every engine; and what is periodic
+//! otherwise.
 
 use super::entire::series;
 use core::f64::consts::FRAC_2_PI;
@@ -14,7 +15,8 @@ const QUARTER: [f64; 4] = [
 /// The largest angle whose quarter turns are counted exactly.
 const LARGEST: f64 = 1.6e9;
 
-/// t less as many whole periods as leave it from 0 up to, but not including, `period`; 0 where rounding leaves none of it.
+/// t less as many whole periods as leave it from 0 up to, but not including, `period`; 0 where rounding leaves none of
+/// it.
 ///
 /// The remainder of the standard library has no error at all, and is two kilobytes of wasm.
 pub(crate) fn wrapped(t: f64, period: f64) -> f64 {

@@ -272,7 +272,8 @@ fn least_pivots(columns: &[f64], stride: usize, floor: f64) -> Vec<f64> {
     columns.iter().step_by(stride).map(|diagonal| diagonal * floor).collect()
 }
 
-/// Puts its inverse in the place of a pivot, or holds the unknown where the pivot is not above `least`; answers whether.
+/// Puts its inverse in the place of a pivot, or holds the unknown where the pivot is not above `least`; answers
+/// whether.
 #[inline]
 fn invert(pivot: &mut f64, least: f64) -> bool {
     let held = pivot.is_nan() || *pivot <= least.max(f64::MIN_POSITIVE);

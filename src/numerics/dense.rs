@@ -1,5 +1,5 @@
-//! Small dense systems. What is larger than two by two is one function by nalgebra: every use of a generic decomposition is
-//! kilobytes of wasm.
+//! Small dense systems. What is larger than two by two is one function by nalgebra: every use of a generic
+//! decomposition is kilobytes of wasm.
 
 use nalgebra::DMatrix;
 
@@ -12,7 +12,8 @@ pub(crate) fn inverse(matrix: &[f64], n: usize) -> Option<Vec<f64>> {
     lu.solve_mut(&mut inverse).then(|| inverse.as_slice().to_vec())
 }
 
-/// The step of Levenberg's method for two unknowns: `matrix` is that of the normal equations, its diagonal larger by `damping` of its sum.
+/// The step of Levenberg's method for two unknowns: `matrix` is that of the normal equations, its diagonal larger by
+/// `damping` of its sum.
 #[inline(never)]
 pub(crate) fn damped_step(matrix: [f64; 3], right: [f64; 2], damping: f64) -> [f64; 2] {
     let more = damping * (matrix[0] + matrix[2]);

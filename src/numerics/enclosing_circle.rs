@@ -15,8 +15,8 @@ pub struct Circle {
 /// The smallest circle that encloses the points: (0, 0) with radius 0 for none.
 ///
 /// The farthest point outside joins the two or three that carry the circle, of which the smallest circle of the four is
-/// found by trying; the radius grows each time. Each round is O(n); rounds are few, and never more than 1000. The radius
-/// answered encloses all points whatever rounding did.
+/// found by trying; the radius grows each time. Each round is O(n); rounds are few, and never more than 1000. The
+/// radius answered encloses all points whatever rounding did.
 pub fn enclosing_circle(points: &[Vector]) -> Circle {
     let Some(&first) = points.first() else {
         return Circle { centre: Vector::zeros(), radius: 0.0 };

@@ -16,7 +16,8 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// How many steps lie between `count` places: as many on a closed way, one less on an open one; 1 at least, to divide by.
+/// How many steps lie between `count` places: as many on a closed way, one less on an open one; 1 at least, to divide
+/// by.
 pub(crate) fn steps(count: usize, closed: bool) -> usize {
     let steps = if closed { count } else { count.saturating_sub(1) };
     steps.max(1)

@@ -1,7 +1,8 @@
 //! Sorting, with one copy of the code for all lists.
 //!
-//! The standard library's sorts are made anew for every kind of element and every comparison, two to eight kilobytes of wasm each: they were
-//! a quarter of fitting and of tracing. Here what is compared are one or two whole numbers made of each element, in one place.
+//! The standard library's sorts are made anew for every kind of element and every comparison, two to eight kilobytes of
+//! wasm each: they were a quarter of fitting and of tracing. Here what is compared are one or two whole numbers made of
+//! each element, in one place.
 
 /// What an element is sorted by: the first number, and the second among those with the same first.
 pub(crate) type Key = [u64; 2];
@@ -51,7 +52,8 @@ pub(crate) fn sort_by_number<T>(list: &mut [T], number: &dyn Fn(&T) -> f64) {
     sort_by_keys(list, &|item| [key_of(number(item)), 0]);
 }
 
-/// Sorts a list by a key of each element; those with the same key stay in their order. O(n log n), and O(n) for short or sorted lists.
+/// Sorts a list by a key of each element; those with the same key stay in their order. O(n log n), and O(n) for short
+/// or sorted lists.
 #[inline(never)]
 pub(crate) fn sort_by_keys<T>(list: &mut [T], key: &dyn Fn(&T) -> Key) {
     let mut order = Vec::with_capacity(list.len());
@@ -121,7 +123,8 @@ fn insert<T: Copy + PartialOrd>(list: &mut [T]) {
     }
 }
 
-/// The element that is number k of the sorted list; the list is left in another order. O(n), after 64 rounds O(n log n).
+/// The element that is number k of the sorted list; the list is left in another order. O(n), after 64 rounds O(n log
+/// n).
 ///
 /// The list must have that many elements.
 #[inline(never)]
@@ -131,7 +134,8 @@ pub(crate) fn nth(values: &mut [f64], k: usize) -> f64 {
         if low >= high {
             return values[k];
         }
-        // Hoare's partition around the number that stands there: what is between `behind` and `from` afterwards is in its place.
+        // Hoare's partition around the number that stands there: what is between `behind` and `from` afterwards is in
+        // its place.
         let (pivot, mut from, mut behind) = (values[k], low, high);
         while from <= behind {
             if values[from as usize] < pivot {

@@ -1,7 +1,7 @@
 //! Two numbers side by side, which wasm adds and multiplies at once.
 //!
-//! Compilers make pairs of loops over lists. Sums that are to stay in registers are no lists, so they say it themselves. Each
-//! number has the bits that it would have alone.
+//! Compilers make pairs of loops over lists. Sums that are to stay in registers are no lists, so they say it
+//! themselves. Each number has the bits that it would have alone.
 
 use super::Point;
 use core::ops::{Add, AddAssign, Div, Mul, Sub};

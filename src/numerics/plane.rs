@@ -4,7 +4,8 @@
 
 use super::{Point, Vector};
 
-/// The second number where it is larger than the first. `f64::max` has a rule for what is not a number, and in wasm is a call.
+/// The second number where it is larger than the first. `f64::max` has a rule for what is not a number, and in wasm is
+/// a call.
 #[inline(always)]
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }

@@ -18,7 +18,8 @@ pub struct Row {
 /// Solves the system by elimination without pivoting, in place: the solution is left in the right-hand sides.
 ///
 /// `None` where a pivot is below a thousandth of its row: the system has no unique solution, or none that this
-/// elimination finds with digits to spare. A diagonal of at least twice what stands beside it always suffices. O(n), any n from 2 up.
+/// elimination finds with digits to spare. A diagonal of at least twice what stands beside it always suffices. O(n),
+/// any n from 2 up.
 pub fn solve(rows: &mut [Row]) -> Option<()> {
     let (last, others) = rows.split_last_mut()?;
     // Forward: xᵢ = right − after·xᵢ₊₁ − before·xₙ₋₁, for the row before the first with xₙ₋₁ itself.

@@ -35,7 +35,8 @@ impl Twofold {
         Self { high, low: ((a * b - high) + a * b_low + a_low * b) + a_low * b_low }
     }
 
-    /// The sum, to a few units of 2⁻¹⁰⁵. Like product and quotient out of line: these are for preparations, and are large.
+    /// The sum, to a few units of 2⁻¹⁰⁵. Like product and quotient out of line: these are for preparations, and are
+    /// large.
     #[inline(never)]
     pub fn plus(self, other: Self) -> Self {
         let high = Self::sum(self.high, other.high);

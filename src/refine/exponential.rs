@@ -1,8 +1,8 @@
 //! Control points on finer grids: the interpolator's points become B-spline points, and those more of their kind.
 //!
-//! Points are interleaved, of any dimension from 1 up (0 counts as 1): a row of a surface's net is a point, too. All control
-//! points here belong to B-splines that are divided by their integral, so that, where 0 is a root, a translation stays a
-//! translation on every level.
+//! Points are interleaved, of any dimension from 1 up (0 counts as 1): a row of a surface's net is a point, too. All
+//! control points here belong to B-splines that are divided by their integral, so that, where 0 is a root, a
+//! translation stays a translation on every level.
 
 use crate::error::{Error, Result};
 use crate::generator::{Interpolator, Roots, affine_refinement_filter};
@@ -10,14 +10,14 @@ use crate::limits::{MOST_OUTPUT_POINTS, MOST_SURFACE_POINTS, filled, too_many};
 
 /// From points on the curve to control points on the grid 1/m₀.
 ///
-/// A closed list of M points becomes m₀M control points; number j belongs to the parameter (j + ½)/m₀ where n₀ is odd and
-/// to j/m₀ where it is even. An open list has n₀ − 2 points more on each side than the parameter range [0, N − 1] needs, see
-/// [`extended`]; it becomes m₀(N − 1) + n₀ − 1 control points, the first at (1 − n₀/2)/m₀.
+/// A closed list of M points becomes m₀M control points; number j belongs to the parameter (j + ½)/m₀ where n₀ is odd
+/// and to j/m₀ where it is even. An open list has n₀ − 2 points more on each side than the parameter range [0, N − 1]
+/// needs, see [`extended`]; it becomes m₀(N − 1) + n₀ − 1 control points, the first at (1 − n₀/2)/m₀.
 ///
 /// # Errors
 ///
-/// m₀ not even or not from 2 to 1024; a list that is empty, too short for its ends, or not a whole number of points; more than 4
-/// million points.
+/// m₀ not even or not from 2 to 1024; a list that is empty, too short for its ends, or not a whole number of points;
+/// more than 4 million points.
 ///
 /// # Source
 ///
@@ -38,8 +38,8 @@ pub fn from_points(
     target.fill(points, dimension, m0, &filter)
 }
 
-/// From control points on a grid to control points on the grid that is finer by m; `roots` are those of the coarser grid,
-/// per step of it.
+/// From control points on a grid to control points on the grid that is finer by m; `roots` are those of the coarser
+/// grid, per step of it.
 ///
 /// A closed list of L becomes mL, an open one m(L − n₀ + 1) + n₀ − 1; the parameters are as in [`from_points`].
 ///
@@ -58,15 +58,16 @@ pub fn finer(points: &[f64], dimension: usize, closed: bool, roots: &Roots, m: u
     target.fill(points, dimension, m, &filter)
 }
 
-/// The points of an open curve with n₀ − 2 more on each side, so that the curve is defined from its first point to its last.
+/// The points of an open curve with n₀ − 2 more on each side, so that the curve is defined from its first point to its
+/// last.
 ///
-/// They continue the sequence by the recurrence of the roots, Π(1 − e^a z): what the roots stand for goes on as it is, an arc as
-/// an arc. Fewer points than roots are continued by the polynomial through them.
+/// They continue the sequence by the recurrence of the roots, Π(1 − e^a z): what the roots stand for goes on as it is,
+/// an arc as an arc. Fewer points than roots are continued by the polynomial through them.
 ///
 /// # Accuracy
 ///
-/// That of doubles, of numbers that may be e^{(n₀ − 2)a} as large as the points for the largest real part a: on the curve they
-/// cancel again.
+/// That of doubles, of numbers that may be e^{(n₀ − 2)a} as large as the points for the largest real part a: on the
+/// curve they cancel again.
 ///
 /// # Errors
 ///

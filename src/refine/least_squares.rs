@@ -9,15 +9,16 @@ use crate::numerics::lists::{add_scaled, dot};
 const CONVERGED: f64 = 1e-16;
 /// Of all passes.
 const MOST_ROUNDS: usize = 1000;
-/// What is left is computed anew for every pass: the recurrence of the gradients knows only half of the digits where points beyond an open
-/// end weigh little. A pass that begins with no less than this part of the energy before begins with roundings.
+/// What is left is computed anew for every pass: the recurrence of the gradients knows only half of the digits where
+/// points beyond an open end weigh little. A pass that begins with no less than this part of the energy before begins
+/// with roundings.
 const GAINED: f64 = 1e-3;
 
 /// The coarse points whose spread is nearest to `fine`: conjugate gradients on the normal equations, scaled by their
 /// diagonal. Their condition does not grow with the number of points.
 ///
-/// They begin with means of the fine points that each coarse one acts on: of an open curve too short to tell all points beyond its ends,
-/// those come out that are near by and move with it.
+/// They begin with means of the fine points that each coarse one acts on: of an open curve too short to tell all points
+/// beyond its ends, those come out that are near by and move with it.
 pub(crate) fn least_squares(
     target: &Target,
     fine: &[f64],

@@ -86,8 +86,8 @@ impl ScalarMask {
 ///
 /// # Errors
 ///
-/// Fewer than two points; lists that do not belong to as many; numbers that are not finite or that no curve may have; where memory is
-/// short.
+/// Fewer than two points; lists that do not belong to as many; numbers that are not finite or that no curve may have;
+/// where memory is short.
 ///
 /// # Source
 ///

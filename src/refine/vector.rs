@@ -120,8 +120,8 @@ impl MatrixMask {
     ///
     /// # Errors
     ///
-    /// A `length` that is not positive or above 1e9; `omega·length` beyond ±2π in the trigonometric space, ±1e4 in others; an arity of 0 or
-    /// above 4 million.
+    /// A `length` that is not positive or above 1e9; `omega·length` beyond ±2π in the trigonometric space, ±1e4 in
+    /// others; an arity of 0 or above 4 million.
     pub fn new(space: Space, omega: f64, length: f64, arity: usize) -> Result<Self> {
         check_segment(None, space, omega, length)?;
         check("arity", None, arity as f64, 1.0, MOST_OUTPUT_POINTS as f64)?;
@@ -211,8 +211,8 @@ impl MatrixMask {
 ///
 /// # Errors
 ///
-/// Lengths that do not match; numbers that are not finite or that no curve may have; an arity of 0; more than 24 levels; more
-/// than 4 million points.
+/// Lengths that do not match; numbers that are not finite or that no curve may have; an arity of 0; more than 24
+/// levels; more than 4 million points.
 ///
 /// # Source
 ///

@@ -105,8 +105,8 @@ pub(super) fn plan(
     let good = 1.5 * rounded + 0.75 * grid.unit() + floor;
     let shape = Shape::new(ellipse, span.sweep(curve), grid.unit());
     let mut best: Option<Planned> = None;
-    // The ellipse's own radii first: where the ends have moved, those that reach over the chord are off by more than the ends. What a
-    // radius is off by moves a quarter's centre 1.4 times as far: it has a digit more.
+    // The ellipse's own radii first: where the ends have moved, those that reach over the chord are off by more than
+    // the ends. What a radius is off by moves a quarter's centre 1.4 times as far: it has a digit more.
     let fitted = (0..=MOST_EXTRA_DIGITS).flat_map(|extra| [false, true].map(|down| (extra, down, true)));
     for (extra, down, over_chord) in core::iter::once((1, false, false)).chain(fitted) {
         if over_chord && extra > 0 && grid == DecimalGrid::EXACT {
@@ -163,8 +163,8 @@ impl Shape {
         }
     }
 
-    /// The parameters with `extra` digits more than the grid has, and their text. The radii are those of which the arc over
-    /// `chord` has the height wanted, or the ellipse's own.
+    /// The parameters with `extra` digits more than the grid has, and their text. The radii are those of which the arc
+    /// over `chord` has the height wanted, or the ellipse's own.
     fn command(
         &self,
         chord: Option<Vector>,
@@ -234,13 +234,13 @@ fn fitting(decimals: u32, largest: f64) -> u32 {
     decimals.min(digits)
 }
 
-/// A bound of the distance between a span of the curve and an arc, both ways, measured along rays from the arc's centre; infinite
-/// where the curve does not turn about it as the arc does: ends of a few units of the grid may be rounded to ends between which the
-/// rest of the ellipse is drawn.
+/// A bound of the distance between a span of the curve and an arc, both ways, measured along rays from the arc's
+/// centre; infinite where the curve does not turn about it as the arc does: ends of a few units of the grid may be
+/// rounded to ends between which the rest of the ellipse is drawn.
 ///
-/// Between fixed ends the distance along rays is a bump over each segment, over longer arcs a trigonometric polynomial of
-/// degree 2 in the angle: nine samples or more, every tenth of a radian, miss at most 1.6 % of its largest value; 2 % are
-/// added.
+/// Between fixed ends the distance along rays is a bump over each segment, over longer arcs a trigonometric polynomial
+/// of degree 2 in the angle: nine samples or more, every tenth of a radian, miss at most 1.6 % of its largest value; 2
+/// % are added.
 #[inline(never)]
 fn measure(curve: &HermiteCurve, span: Span, arc: &Arc) -> f64 {
     let (uu, vv) = (arc.u.norm_squared(), arc.v.norm_squared());

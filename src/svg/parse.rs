@@ -60,8 +60,8 @@ pub struct Truncation {
 /// # Errors
 ///
 /// `PathSyntax` ⇐ nothing could be read at all; text that makes no sense further on is no error but a
-/// [`Truncation`]. `OutOfRange` ⇐ a number or a coordinate beyond ±1e9, or a derivative beyond ±8e9, with the byte offset.
-/// `LimitExceeded` ⇐ more than [`MOST_PATH_BYTES`], [`MOST_SUBPATHS`] or [`MOST_PATH_POINTS`].
+/// [`Truncation`]. `OutOfRange` ⇐ a number or a coordinate beyond ±1e9, or a derivative beyond ±8e9, with the byte
+/// offset. `LimitExceeded` ⇐ more than [`MOST_PATH_BYTES`], [`MOST_SUBPATHS`] or [`MOST_PATH_POINTS`].
 ///
 /// # Cost
 ///

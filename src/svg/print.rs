@@ -29,8 +29,8 @@ const FAR: f64 = 1.0;
 /// How [`to_path_d`] writes.
 #[derive(Clone, Copy, Debug)]
 pub struct PrintOptions {
-    /// The largest distance between the curve and what the text draws; below 1e-9 of the extent, or 1e-15 of the largest
-    /// coordinate, it is raised to that.
+    /// The largest distance between the curve and what the text draws; below 1e-9 of the extent, or 1e-15 of the
+    /// largest coordinate, it is raised to that.
     pub tolerance: f64,
     /// Digits behind the point, up to 17; `None` for as many as the tolerance needs. With 17 every coordinate is read
     /// back to the last bit.
@@ -66,8 +66,8 @@ pub struct Printed {
 ///
 /// # Domain
 ///
-/// Any curve of the plane. Numbers have the form `-?[0-9]*\.?[0-9]+(e-[0-9]+)?`, and an exponent only where 17 decimals are
-/// asked for and 22 would not do.
+/// Any curve of the plane. Numbers have the form `-?[0-9]*\.?[0-9]+(e-[0-9]+)?`, and an exponent only where 17 decimals
+/// are asked for and 22 would not do.
 ///
 /// # Accuracy
 ///
@@ -77,8 +77,8 @@ pub struct Printed {
 ///
 /// # Errors
 ///
-/// `tolerance` that is not finite or not positive; more than 17 decimals; a curve in space; `handles` where a Bézier point of what would be
-/// written is beyond ±1e9, where [`parse_path`](super::parse_path) reads no numbers.
+/// `tolerance` that is not finite or not positive; more than 17 decimals; a curve in space; `handles` where a Bézier
+/// point of what would be written is beyond ±1e9, where [`parse_path`](super::parse_path) reads no numbers.
 ///
 /// # Cost
 ///
@@ -119,8 +119,8 @@ pub(crate) fn outline(curve: &dyn Pieces, tolerance: f64) -> Result<(HermiteCurv
 
 /// The path data as bytes, which need no check, and the deviation.
 ///
-/// `pen` is where the path before has ended, if there is one: a text that goes on from there may begin with `m`. It moves to where this one
-/// ends.
+/// `pen` is where the path before has ended, if there is one: a text that goes on from there may begin with `m`. It
+/// moves to where this one ends.
 pub(crate) fn print_hermite(
     curve: &HermiteCurve,
     options: &PrintOptions,
@@ -258,8 +258,8 @@ fn grid_for(tolerance: f64, largest: f64) -> DecimalGrid {
     if fine && grid.decimals() == Some(decimals) { grid } else { DecimalGrid::EXACT }
 }
 
-/// Extent and largest coordinate of the points and their generalised Bézier points, in whose hull the curve lies; of nearly full turns,
-/// whose Bézier points lie anywhere out there, those of the curve itself.
+/// Extent and largest coordinate of the points and their generalised Bézier points, in whose hull the curve lies; of
+/// nearly full turns, whose Bézier points lie anywhere out there, those of the curve itself.
 fn size(curve: &HermiteCurve) -> (f64, f64) {
     let far = curve.segments().any(|segment| segment.basis.kappa() > FAR);
     let b = if far { curve.bounds() } else { frame(curve, 1.0 / 3.0) };

@@ -18,8 +18,8 @@ pub(super) fn space_of(code: u32) -> Option<Space> {
 
 /// Makes the curve whose arrays lie in the input resident.
 ///
-/// Input: points, as many tangents, tangentsIn (as many or none; two numbers each), omega, lengths. Leaves the end of the domain in the record
-/// and ω in the output: one number where all segments have the same, else one for each.
+/// Input: points, as many tangents, tangentsIn (as many or none; two numbers each), omega, lengths. Leaves the end of
+/// the domain in the record and ω in the output: one number where all segments have the same, else one for each.
 #[wasm_bindgen]
 pub fn load(slot: u32, points: u32, arriving: u32, omega: u32, lengths: u32, space: u32, closed: u32) -> i32 {
     run(&mut |kernel| {

@@ -35,8 +35,9 @@ fn push_vectors(output: &mut Vec<f64>, vectors: &[Vector]) {
 
 /// Appends a curve to the output.
 ///
-/// Header: points, closed, space, arriving tangents, ω's, lengths, end of the domain. Then as many numbers as the header says:
-/// points, tangents, tangentsIn (only where they differ), omega (one or one per segment), lengths (none where all are 1).
+/// Header: points, closed, space, arriving tangents, ω's, lengths, end of the domain. Then as many numbers as the
+/// header says: points, tangents, tangentsIn (only where they differ), omega (one or one per segment), lengths (none
+/// where all are 1).
 pub(super) fn describe(output: &mut Vec<f64>, curve: &HermiteCurve) {
     let count = curve.points().len();
     let start = output.len();

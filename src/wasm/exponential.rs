@@ -24,8 +24,8 @@ fn prepare(kernel: &mut Kernel, kind: u32, count: u32) -> Result<Box<Prepared>> 
     Ok(Box::new(Prepared { kind, roots: given, generator }))
 }
 
-/// Asks a generator of the `roots` roots in the input; kind 0 is the B-spline, 1 the interpolator, 2 the interpolator with
-/// roots beyond π allowed.
+/// Asks a generator of the `roots` roots in the input; kind 0 is the B-spline, 1 the interpolator, 2 the interpolator
+/// with roots beyond π allowed.
 ///
 /// `what` 0: the numbers λ, with condition and Lebesgue constant in the record; 1: values of a derivative of order
 /// `argument` at the `count` places that follow the roots; 2: the filter to a grid finer by `argument`; 3: the same,

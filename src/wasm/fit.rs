@@ -1,7 +1,7 @@
 //! Fits under way: opened from a run of numbers, asked, taken further in steps, described, closed.
 //!
-//! A fit is known by a number, as long as the instance lives. The face keeps the points and opens a fit again in the next
-//! instance when this one dies.
+//! A fit is known by a number, as long as the instance lives. The face keeps the points and opens a fit again in the
+//! next instance when this one dies.
 
 use super::describe::{describe, pairs};
 use super::kernel::{Kernel, run, times};
@@ -30,8 +30,9 @@ fn fitter(kernel: &mut Kernel, number: u32) -> Result<&mut Fitter> {
 
 /// Opens a fit of what lies in the first `count` numbers of the input, and returns its number.
 ///
-/// Input: number of points, of degrees, two degrees, steps of the grid, norm, closed, corners, robust, finish, gap, iterations,
-/// mix, period, noise, parameters, weights, the least turn of a corner; then points, parameters, weights. Negative stands for the default.
+/// Input: number of points, of degrees, two degrees, steps of the grid, norm, closed, corners, robust, finish, gap,
+/// iterations, mix, period, noise, parameters, weights, the least turn of a corner; then points, parameters, weights.
+/// Negative stands for the default.
 #[wasm_bindgen]
 pub fn fit_open(count: u32) -> i32 {
     run(&mut |kernel| {
@@ -96,7 +97,8 @@ fn certified(gap: f64) -> f64 {
     if gap.is_finite() { gap.clamp(0.0, 1.0) } else { 1.0 }
 }
 
-/// Takes the run further by about `budget` microseconds; 1 when it has ended. Iterations and gap are left in the record.
+/// Takes the run further by about `budget` microseconds; 1 when it has ended. Iterations and gap are left in the
+/// record.
 #[wasm_bindgen]
 pub fn fit_step(number: u32, budget: f64) -> i32 {
     run(&mut |kernel| {

@@ -8,9 +8,10 @@
 //! [`kernel::FAILED`], with the error's fields in the result record. Nothing here computes, and nothing here
 //! formats: messages are made in the face.
 //!
-//! The package has several modules, each with an instance and a memory of its own: feature `wasm` exports Hermite curves and path
-//! data, feature `wasm-spline` curves of any roots, feature `wasm-surface` surfaces, feature `wasm-fit` fitting, feature
-//! `wasm-trace` tracing. [`kernel`] and [`numbers`] are in all of them, what measures curves in the two for curves.
+//! The package has several modules, each with an instance and a memory of its own: feature `wasm` exports Hermite
+//! curves and path data, feature `wasm-spline` curves of any roots, feature `wasm-surface` surfaces, feature `wasm-fit`
+//! fitting, feature `wasm-trace` tracing. [`kernel`] and [`numbers`] are in all of them, what measures curves in the
+//! two for curves.
 
 #![allow(unreachable_pub, reason = "exported functions are public to JavaScript, not to Rust")]
 

@@ -107,8 +107,8 @@ impl Job {
     }
 }
 
-/// Leaves the first pixels of all squares that begin in some rows at their beginning, and says how many bytes these are. It counts how many pixels
-/// were given and squares taken by then.
+/// Leaves the first pixels of all squares that begin in some rows at their beginning, and says how many bytes these
+/// are. It counts how many pixels were given and squares taken by then.
 fn thin(blocks: &Blocks, [given, taken]: &mut [usize; 2], bytes: &mut [u8]) -> usize {
     let pixels = bytes.as_chunks_mut::<4>().0;
     let (first, mut count) = (*given, 0);

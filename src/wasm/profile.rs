@@ -51,8 +51,8 @@ pub fn residuals(count: u32) -> i32 {
     })
 }
 
-/// Compares the first `first` points in the input with the `second` that follow: their directed Hausdorff distance and, taken for pixels,
-/// both readings of the index of Jaccard, in the record.
+/// Compares the first `first` points in the input with the `second` that follow: their directed Hausdorff distance and,
+/// taken for pixels, both readings of the index of Jaccard, in the record.
 #[wasm_bindgen]
 pub fn compare(first: u32, second: u32) -> i32 {
     run(&mut |kernel| {
@@ -70,8 +70,8 @@ pub fn compare(first: u32, second: u32) -> i32 {
 
 /// Follows the `points` points in the input, in their order, by one spline for each tube.
 ///
-/// The output has the curve, the cusps, the metrics, and of each tube its first point, its number of points, the interior knots and the
-/// neighbours that were chosen.
+/// The output has the curve, the cusps, the metrics, and of each tube its first point, its number of points, the
+/// interior knots and the neighbours that were chosen.
 #[wasm_bindgen]
 pub fn follow_profile(points: u32, closed: u32, degree: u32, printed: u32, angle: f64) -> i32 {
     run(&mut |kernel| {

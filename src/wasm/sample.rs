@@ -34,8 +34,8 @@ pub fn evaluate_many(slot: u32, count: u32, derivative: u32) -> i32 {
     })
 }
 
-/// Points `first`, `first + 1`, … of the uniform sampling by `count`, `length` or a few less, each followed by its derivative
-/// where `tangents` is not 0. There are no fewer than `length` of the last ones, and at least one.
+/// Points `first`, `first + 1`, … of the uniform sampling by `count`, `length` or a few less, each followed by its
+/// derivative where `tangents` is not 0. There are no fewer than `length` of the last ones, and at least one.
 #[wasm_bindgen]
 pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> i32 {
     run(&mut |kernel| {
@@ -83,8 +83,8 @@ pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> 
     })
 }
 
-/// Points or derivatives of a curve on a grid: as many samples from `first` on as there is room for, of `count`, or a few less,
-/// so that no block is cut in two. Returns how many.
+/// Points or derivatives of a curve on a grid: as many samples from `first` on as there is room for, of `count`, or a
+/// few less, so that no block is cut in two. Returns how many.
 #[cfg(feature = "wasm-spline")]
 fn spread(
     sampler: &mut SplineSampler,

@@ -13,12 +13,12 @@ const INTERPOLATING: u32 = 1;
 const B_SPLINE: u32 = 2;
 const LOCAL: u32 = 3;
 
-/// Makes the curve whose `numbers` coordinates lie in the input, followed by its `roots` roots and its `patches` patches, and
-/// keeps it.
+/// Makes the curve whose `numbers` coordinates lie in the input, followed by its `roots` roots and its `patches`
+/// patches, and keeps it.
 ///
-/// No roots stand for the default of an interpolating curve. A patch is its level, the first of its points, how many they are,
-/// and their displacements. A start that is no number leaves the domain of a B-spline curve to its step and offset. Leaves the
-/// ends of the domain in the record and the roots in the output.
+/// No roots stand for the default of an interpolating curve. A patch is its level, the first of its points, how many
+/// they are, and their displacements. A start that is no number leaves the domain of a B-spline curve to its step and
+/// offset. Leaves the ends of the domain in the record and the roots in the output.
 #[wasm_bindgen]
 #[allow(clippy::too_many_arguments, reason = "numbers are all that crosses")]
 pub fn load_spline(
@@ -72,7 +72,8 @@ pub fn load_spline(
     })
 }
 
-/// The interpolator of these roots, where a resident curve has it: as a rule the one that is loaded again because a point has moved.
+/// The interpolator of these roots, where a resident curve has it: as a rule the one that is loaded again because a
+/// point has moved.
 fn known(kernel: &Kernel, roots: &Roots) -> Option<Arc<Interpolator>> {
     kernel.slots.iter().flatten().find_map(|resident| {
         let curve = match &resident.curve {
@@ -109,8 +110,8 @@ fn roots_in(curve: &AnyCurve) -> Option<&crate::generator::Roots> {
 
 /// Leaves a curve on a grid in the output.
 ///
-/// Header: kind, numbers, dimension, closed, roots, patches, step, offset, both ends of the domain. Then the coordinates, the roots
-/// and the patches.
+/// Header: kind, numbers, dimension, closed, roots, patches, step, offset, both ends of the domain. Then the
+/// coordinates, the roots and the patches.
 fn give_spline(kernel: &mut Kernel, curve: &AnyCurve) -> Result<usize> {
     let (kind, points, step, offset) = match curve {
         #[cfg(feature = "wasm")]
@@ -156,7 +157,8 @@ fn derive(slot: u32, make: &dyn Fn(&AnyCurve) -> Result<(AnyCurve, f64)>) -> i32
     })
 }
 
-/// The same curve on a finer grid: an interpolating curve on 1/(m0·m^(levels − 1)), a B-spline curve with m times the points.
+/// The same curve on a finer grid: an interpolating curve on 1/(m0·m^(levels − 1)), a B-spline curve with m times the
+/// points.
 #[wasm_bindgen]
 pub fn refine_spline(slot: u32, levels: u32, m0: u32, m: u32) -> i32 {
     derive(slot, &|curve| {
@@ -186,8 +188,8 @@ pub fn reduce_spline(slot: u32, m: u32) -> i32 {
     })
 }
 
-/// A curve with points and tangents for a path within a tolerance, that of paths for 0; how far it is from this one, and what that
-/// leaves of the tolerance, are in the record.
+/// A curve with points and tangents for a path within a tolerance, that of paths for 0; how far it is from this one,
+/// and what that leaves of the tolerance, are in the record.
 #[wasm_bindgen]
 pub fn outline(slot: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {

@@ -1,7 +1,8 @@
 //! Surfaces: resident in places of their own, asked and derived as curves are.
 //!
-//! A surface crosses as one run of numbers: for u and for v the count of points, closed, level, how many roots; how many
-//! patches; the roots in pairs; the net; and for every patch its two windows (level, first, count) and its displacements.
+//! A surface crosses as one run of numbers: for u and for v the count of points, closed, level, how many roots; how
+//! many patches; the roots in pairs; the net; and for every patch its two windows (level, first, count) and its
+//! displacements.
 
 use super::kernel::{Kernel, PATCH, SURFACES, grow, run, times};
 use super::numbers::Numbers;
@@ -101,7 +102,8 @@ pub fn surface_load(slot: u32, count: u32) -> i32 {
     })
 }
 
-/// Points or derivatives at the `count` parameters u in the input and as many v after them; where `du` is 255, unit normals.
+/// Points or derivatives at the `count` parameters u in the input and as many v after them; where `du` is 255, unit
+/// normals.
 #[wasm_bindgen]
 pub fn surface_evaluate(slot: u32, count: u32, du: u32, dv: u32) -> i32 {
     with(slot, &mut |surface, kernel| {
@@ -185,8 +187,8 @@ pub fn surface_indices(slot: u32, rows: u32, cols: u32) -> i32 {
     })
 }
 
-/// First row, rows, first column and columns of the part of a mesh that a point of the net (patch −1) or of a patch moves,
-/// in the record.
+/// First row, rows, first column and columns of the part of a mesh that a point of the net (patch −1) or of a patch
+/// moves, in the record.
 #[wasm_bindgen]
 pub fn surface_touched(slot: u32, rows: u32, cols: u32, patch: i32, i: u32, j: u32) -> i32 {
     with(slot, &mut |surface, kernel| {
@@ -257,8 +259,8 @@ pub fn surface_refine_at(slot: u32, u: f64, v: f64, levels: u32, reach: f64) -> 
     with(slot, &mut |surface, kernel| describe(kernel, &surface.refine_at(u, v, levels, reach)?))
 }
 
-/// One of the shapes: sphere or ellipsoid (a, b, c), torus (a, b), cylinder (a, b), Roman surface (a), hyperbolic paraboloid
-/// (a, b, c), character.
+/// One of the shapes: sphere or ellipsoid (a, b, c), torus (a, b), cylinder (a, b), Roman surface (a), hyperbolic
+/// paraboloid (a, b, c), character.
 #[wasm_bindgen]
 pub fn surface_shape(shape: u32, a: f64, b: f64, c: f64, m: u32, n: u32) -> i32 {
     run(&mut |kernel| {

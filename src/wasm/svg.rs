@@ -25,8 +25,8 @@ pub fn parse_path(bytes: u32) -> i32 {
 
 /// Writes a curve as path data, into the text buffer; the deviation is left in the record.
 ///
-/// A tolerance of 0 and negative decimals stand for the defaults; `flags` is 1 for arcs plus 2 for relative commands plus 4 for text that
-/// is put behind that of the last call.
+/// A tolerance of 0 and negative decimals stand for the defaults; `flags` is 1 for arcs plus 2 for relative commands
+/// plus 4 for text that is put behind that of the last call.
 #[wasm_bindgen]
 pub fn to_path(slot: u32, tolerance: f64, decimals: i32, flags: u32) -> i32 {
     run(&mut |kernel| {

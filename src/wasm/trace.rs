@@ -1,7 +1,7 @@
 //! Pictures under way: opened, filled row by row, traced in steps, described, closed.
 //!
-//! A picture is known by a number, as long as the instance lives. Its pixels come in blocks of rows through the text buffer, so that
-//! the memory never holds all of their colours.
+//! A picture is known by a number, as long as the instance lives. Its pixels come in blocks of rows through the text
+//! buffer, so that the memory never holds all of their colours.
 
 use super::describe::describe;
 use super::kernel::{Kernel, run};
@@ -34,8 +34,9 @@ fn job(traces: &mut [Option<Box<Job>>], number: u32) -> Result<&mut Job> {
 
 /// Opens a picture that the first `count` numbers of the input tell of, and returns its number.
 ///
-/// Input: width, height, bytes per pixel, source, model, threshold, blur, inverted, speckle, corner, tolerance, refined, most contours,
-/// most colours (0 for ink on paper), number of colours given; then those, three numbers each. Negative stands for the default.
+/// Input: width, height, bytes per pixel, source, model, threshold, blur, inverted, speckle, corner, tolerance,
+/// refined, most contours, most colours (0 for ink on paper), number of colours given; then those, three numbers each.
+/// Negative stands for the default.
 #[wasm_bindgen]
 pub fn trace_open(count: u32) -> i32 {
     run(&mut |kernel| {
@@ -115,8 +116,8 @@ pub fn trace_shades(number: u32, first: u32, count: u32) -> i32 {
     })
 }
 
-/// Takes the work further by about `budget` microseconds; 1 when it has ended, 2 when the rows are wanted again. The record has the stage,
-/// how much of it is done, and how much it has.
+/// Takes the work further by about `budget` microseconds; 1 when it has ended, 2 when the rows are wanted again. The
+/// record has the stage, how much of it is done, and how much it has.
 #[wasm_bindgen]
 pub fn trace_step(number: u32, budget: f64) -> i32 {
     run(&mut |kernel| {
@@ -143,7 +144,8 @@ pub fn trace_step(number: u32, budget: f64) -> i32 {
     })
 }
 
-/// After a step has failed for too many contours: the speckle that would leave as many as there may be, in the record; 0 where none is known.
+/// After a step has failed for too many contours: the speckle that would leave as many as there may be, in the record;
+/// 0 where none is known.
 #[wasm_bindgen]
 pub fn trace_offer(number: u32) -> i32 {
     run(&mut |kernel| {
@@ -167,8 +169,8 @@ fn contour(output: &mut Vec<f64>, contour: &TracedContour, layer: usize) {
     section(output, &mut |to| to.extend(contour.cusps.iter().flat_map(|cusp| [cusp.x, cusp.y])));
 }
 
-/// Leaves what was found in the output: sections, each with its length in front. The first has the colours of the layers, none where
-/// there is only ink; then come the contours.
+/// Leaves what was found in the output: sections, each with its length in front. The first has the colours of the
+/// layers, none where there is only ink; then come the contours.
 #[wasm_bindgen]
 pub fn trace_describe(number: u32) -> i32 {
     run(&mut |kernel| {

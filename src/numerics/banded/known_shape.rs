@@ -1,13 +1,13 @@
-//! Factors and solutions for the commonest shapes, whose sizes the compiler knows: splines on a circle of degree 1 and 3,
-//! both coordinates of a point together. Loops of known length become vector instructions without a remainder.
+//! Factors and solutions for the commonest shapes, whose sizes the compiler knows: splines on a circle of degree 1 and
+//! 3, both coordinates of a point together. Loops of known length become vector instructions without a remainder.
 
 use super::{invert, least_pivots};
 
 /// Twice the half-width of the widest of these bands, and two.
 const ROOM: usize = 20;
 
-/// The factors L D L′; a column holds the diagonal, H entries of the band and B of the border. Two columns at a time: what
-/// they take from those behind them is taken in one pass. The band has an even number of columns.
+/// The factors L D L′; a column holds the diagonal, H entries of the band and B of the border. Two columns at a time:
+/// what they take from those behind them is taken in one pass. The band has an even number of columns.
 #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
 pub(super) fn factor<const H: usize, const B: usize, const S: usize>(
     columns: &mut [f64],
@@ -60,8 +60,8 @@ pub(super) fn factor<const H: usize, const B: usize, const S: usize>(
     held
 }
 
-/// The first half of the solution, down the band; what it leaves for the border is taken from there. The next H unknowns
-/// are kept beside the list: each is read from it once, and none waits until another is written.
+/// The first half of the solution, down the band; what it leaves for the border is taken from there. The next H
+/// unknowns are kept beside the list: each is read from it once, and none waits until another is written.
 pub(super) fn forward<const H: usize, const B: usize, const S: usize>(
     columns: &[f64],
     band: &mut [f64],

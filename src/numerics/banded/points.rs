@@ -41,8 +41,8 @@ impl Bordered {
         }
     }
 
-    /// Adds weightsᵢ weightsⱼ times a symmetric 2 × 2 matrix (xx, xy, yy) for the points from `first` on, all in the band
-    /// and within its width of one another. Answers whether they are; nothing is added otherwise.
+    /// Adds weightsᵢ weightsⱼ times a symmetric 2 × 2 matrix (xx, xy, yy) for the points from `first` on, all in the
+    /// band and within its width of one another. Answers whether they are; nothing is added otherwise.
     #[inline]
     pub(crate) fn add_outer(&mut self, first: usize, weights: &[f64], [xx, xy, yy]: [f64; 3]) -> bool {
         let (count, stride) = (weights.len(), self.stride());

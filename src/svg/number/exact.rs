@@ -23,7 +23,8 @@ struct Exact {
 impl Exact {
     const ZERO: Self = Self { limbs: [0; 2 * HALF], more: false };
 
-    /// What lies before the point becomes so many times what it was and a summand; with `all`, what lies behind it as well.
+    /// What lies before the point becomes so many times what it was and a summand; with `all`, what lies behind it as
+    /// well.
     fn multiply(&mut self, factor: u32, summand: u32, all: bool) {
         let mut carry = u64::from(summand);
         for limb in &mut self.limbs[if all { 0 } else { HALF }..] {
@@ -118,7 +119,8 @@ pub(super) fn read(text: &[u8], power: i32) -> f64 {
         at = next;
     }
     let mut end = count.min(MOST_DIGITS) as i32;
-    // A limb is more than nine of the zeros behind the point, and four hold all bits of an `f64` and the one behind them.
+    // A limb is more than nine of the zeros behind the point, and four hold all bits of an `f64` and the one behind
+    // them.
     let depth = 5 + (-point).max(0) as usize / 9;
     while end > point {
         let next = point.max(end - GROUP);

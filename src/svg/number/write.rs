@@ -47,7 +47,8 @@ const HUNDRED_MILLION: u64 = 100_000_000;
 const FEW_BYTES: usize = 18 + MOST_BYTES;
 
 /// Appends n·10^−`decimals`: no trailing zeros, no zero before the point; from 23 decimals on as an
-/// integer with an exponent. Returns whether there is a point or an exponent. What comes `before` it is a sign or a separator.
+/// integer with an exponent. Returns whether there is a point or an exponent. What comes `before` it is a sign or a
+/// separator.
 #[inline(never)]
 pub(in crate::svg) fn write(out: &mut Vec<u8>, before: Option<u8>, n: u64, decimals: u32) -> bool {
     if n != 0 && n < HUNDRED_MILLION && decimals < EIGHT as u32 {

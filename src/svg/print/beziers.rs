@@ -110,8 +110,9 @@ impl Printer<'_> {
 
     /// The control point that a cubic with derivative `d` at the end `p` has next to it.
     ///
-    /// Where every bit counts it is the one from which a reader gets `d` back, if there is one. Where the grid would turn a short one, it is
-    /// one along `d` that is turned less, at most so far from where it should be: a joint that is smooth has to look it.
+    /// Where every bit counts it is the one from which a reader gets `d` back, if there is one. Where the grid would
+    /// turn a short one, it is one along `d` that is turned less, at most so far from where it should be: a joint that
+    /// is smooth has to look it.
     fn handle(&self, p: Point, d: Vector, end: Placed, most: f64) -> Placed {
         let q = end.point();
         if self.grid == DecimalGrid::EXACT {
@@ -139,8 +140,8 @@ impl Printer<'_> {
     }
 }
 
-/// How far a cubic moves at most when its ends do by `ends` and its handles by `one` and `two`: the Bernstein weights of
-/// the handles reach 4/9 each, 3/4 together (D 8.4).
+/// How far a cubic moves at most when its ends do by `ends` and its handles by `one` and `two`: the Bernstein weights
+/// of the handles reach 4/9 each, 3/4 together (D 8.4).
 fn moved(ends: f64, one: f64, two: f64) -> f64 {
     let (one, two) = (larger(one - ends, 0.0), larger(two - ends, 0.0));
     ends + smaller(4.0 / 9.0 * (one + two), 0.75 * larger(one, two))
