@@ -10,8 +10,9 @@ export type { HandleSide, Joint } from "./edit/edit-joints.js";
 const HOLD = 0.1;
 
 /**
- * Where the handles of point i end: `in` a third of the arriving tangent before it, `out` a third of the leaving one behind it, each over
- * the length of its segment. For cubics these are the Bézier's control points. A free end of an open curve has one.
+ * Where the handles of point i end: `in` a third of the arriving tangent before it, `out` a third of the leaving one
+ * behind it, each over the length of its segment. For cubics these are the Bézier's control points. A free end of an
+ * open curve has one.
  *
  * @throws {ExplineError} E_RANGE of an `i` that is no point's; E_TYPE where `curve` is no HermiteCurve.
  */
@@ -23,8 +24,8 @@ export function handlesOf(curve: HermiteCurve, i: number): { in?: [number, numbe
 }
 
 /**
- * What point i is: "smooth" where its two handles lie in one line, to 1e-9 radians, and "cusp" where they do not, or where there is
- * only one. Whether handles are to mirror each other is a choice that no shape tells.
+ * What point i is: "smooth" where its two handles lie in one line, to 1e-9 radians, and "cusp" where they do not, or
+ * where there is only one. Whether handles are to mirror each other is a choice that no shape tells.
  *
  * @throws {ExplineError} as {@link handlesOf} does.
  */
@@ -35,8 +36,9 @@ export function jointOf(curve: HermiteCurve, i: number): "smooth" | "cusp" {
 }
 
 /**
- * Moves point i, and its handles with it. Straight segments beside it stay straight: the corner of a polygon is moved, its sides are not bent.
- * Where such a segment runs smoothly into a curve, the curve's handle turns with it. The curve itself is changed.
+ * Moves point i, and its handles with it. Straight segments beside it stay straight: the corner of a polygon is moved,
+ * its sides are not bent. Where such a segment runs smoothly into a curve, the curve's handle turns with it. The curve
+ * itself is changed.
  *
  * @throws {ExplineError} as {@link handlesOf} does, and E_RANGE of a place beyond ±1e9; nothing has moved then.
  */
@@ -49,8 +51,8 @@ export function movePoint(curve: HermiteCurve, i: number, x: number, y: number):
 }
 
 /**
- * Puts the end of a handle of point i at a place; the other handle follows as the joint asks: by default it turns with this one, and "cusp"
- * is for a corner that is to stay one. Point and neighbours stay. The curve itself is changed.
+ * Puts the end of a handle of point i at a place; the other handle follows as the joint asks: by default it turns with
+ * this one, and "cusp" is for a corner that is to stay one. Point and neighbours stay. The curve itself is changed.
  *
  * @throws {ExplineError} as {@link movePoint} does, and E_RANGE of a `side` that the end of an open curve has not.
  * @example
@@ -75,8 +77,8 @@ export function moveHandle(curve: HermiteCurve, i: number, side: HandleSide, x: 
 }
 
 /**
- * How far the place at t goes with one unit of the tangent that leaves the point before it, and with one of the tangent that arrives at the
- * point behind it: the curve is linear in both.
+ * How far the place at t goes with one unit of the tangent that leaves the point before it, and with one of the tangent
+ * that arrives at the point behind it: the curve is linear in both.
  *
  * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve; E_TYPE where `curve` is no HermiteCurve.
  */
@@ -86,11 +88,13 @@ export function tangentWeights(curve: HermiteCurve, t: number): readonly [number
 }
 
 /**
- * Pulls the curve: the place at t goes to (x, y), and of all pairs of tangents of its segment that take it there, these two change least.
- * Points stay; where both sides of a point are one line they still are, and its other handle keeps its length. Nearer to a point than a tenth
- * of the segment the place follows by a part of the way only. The curve itself is changed.
+ * Pulls the curve: the place at t goes to (x, y), and of all pairs of tangents of its segment that take it there, these
+ * two change least. Points stay; where both sides of a point are one line they still are, and its other handle keeps
+ * its length. Nearer to a point than a tenth of the segment the place follows by a part of the way only. The curve
+ * itself is changed.
  *
- * @throws {ExplineError} as {@link tangentWeights} does, and E_RANGE where a tangent would be beyond ±8e9; nothing has moved then.
+ * @throws {ExplineError} as {@link tangentWeights} does, and E_RANGE where a tangent would be beyond ±8e9; nothing has
+ *   moved then.
  * @example
  * ```js
  * const curve = HermiteCurve.ellipse({ center: [0, 0], radii: [100, 60], count: 4 });

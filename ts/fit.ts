@@ -10,7 +10,8 @@ export type { FitProgress, FitStep, SparseFitOptions, SparseFitStrength } from "
 export type { FitChange, FitStatus, SparseFit, SparseKnot } from "./fit/fit-result.js";
 
 declare global {
-  // As TypeScript's library has it from 5.2 on: a project without that part of it, or with an older TypeScript, reads the declarations too.
+  // As TypeScript's library has it from 5.2 on: a project without that part of it, or with an older TypeScript, reads
+  // the declarations too.
   interface SymbolConstructor {
     readonly dispose: unique symbol;
   }
@@ -58,14 +59,15 @@ function begin(op: string, { input, question }: Order): Resident {
 }
 
 /**
- * The spline with the fewest knots that follows noisy points: corners stay corners, smooth parts stay smooth, and the optimum comes with a
- * certificate.
+ * The spline with the fewest knots that follows noisy points: corners stay corners, smooth parts stay smooth, and the
+ * optimum comes with a certificate.
  *
- * Of `lambda`, `smoothing` and `tolerance` one says how much to simplify; without any, the noise of the points is estimated and taken out. The result
- * is the same to the last bit wherever and whenever it is computed.
+ * Of `lambda`, `smoothing` and `tolerance` one says how much to simplify; without any, the noise of the points is
+ * estimated and taken out. The result is the same to the last bit wherever and whenever it is computed.
  *
- * @throws {ExplineError} E_TOO_FEW_POINTS below two points, three of a closed curve; an open one with `lambda` or `smoothing` needs one more than its highest
- *   degree, 4 by default; E_DEGENERATE where all are the same, E_LIMIT above 500,000 points; E_TYPE for two strengths at once.
+ * @throws {ExplineError} E_TOO_FEW_POINTS below two points, three of a closed curve; an open one with `lambda` or
+ *   `smoothing` needs one more than its highest degree, 4 by default; E_DEGENERATE where all are the same, E_LIMIT
+ *   above 500,000 points; E_TYPE for two strengths at once.
  * @example
  * ```js
  * const noisy = Array.from({ length: 300 }, (_, i) => [i, 40 * Math.sin(i / 40) + Math.sin(97 * i)]);
@@ -102,11 +104,11 @@ async function oneAsync(op: string, job: Order): Promise<SparseFit> {
 export type SparseFitAllOptions = Omit<SparseFitOptions, "parameters" | "period" | "weights">;
 
 /**
- * {@link fitSparse} for the contours of one drawing. They come from one pen or one picture, so that one level of noise holds for all: unless
- * `noise` is given, the median of what each of them says alone.
+ * {@link fitSparse} for the contours of one drawing. They come from one pen or one picture, so that one level of noise
+ * holds for all: unless `noise` is given, the median of what each of them says alone.
  *
- * @throws {ExplineError} as fitSparse does, for the first contour that is wrong, with `argument` "contours[1]", or "contours[1][5]" where one of its
- *   numbers is at fault; E_TYPE where `contours` is no array.
+ * @throws {ExplineError} as fitSparse does, for the first contour that is wrong, with `argument` "contours[1]", or
+ *   "contours[1][5]" where one of its numbers is at fault; E_TYPE where `contours` is no array.
  */
 export function fitSparseAll(contours: readonly PointsLike[], options?: SparseFitAllOptions): SparseFit[] {
   const op = "fitSparseAll";
@@ -117,7 +119,8 @@ export function fitSparseAll(contours: readonly PointsLike[], options?: SparseFi
 /**
  * {@link fitSparseAll} in short tasks, one contour after the other; `onProgress` and `deadline` are those of each.
  *
- * @throws {ExplineError} as fitSparseAll does, by rejecting; E_CANCELLED when the signal was aborted, within a few milliseconds.
+ * @throws {ExplineError} as fitSparseAll does, by rejecting; E_CANCELLED when the signal was aborted, within a few
+ *   milliseconds.
  */
 export async function fitSparseAllAsync(contours: readonly PointsLike[], options?: SparseFitAllOptions): Promise<SparseFit[]> {
   const op = "fitSparseAllAsync";
@@ -181,8 +184,8 @@ function noiseOf(op: string, { input }: Order): number {
 }
 
 /**
- * {@link fitSparse} in short tasks on the caller's own thread: a page goes on painting and answering meanwhile. In a worker it lets messages through,
- * so that one of them can abort the signal.
+ * {@link fitSparse} in short tasks on the caller's own thread: a page goes on painting and answering meanwhile. In a
+ * worker it lets messages through, so that one of them can abort the signal.
  *
  * @example
  * ```js
@@ -191,7 +194,8 @@ function noiseOf(op: string, { input }: Order): number {
  * console.log(curve.closed, curve.points.length / 2 < 8); // → true true
  * ```
  *
- * @throws {ExplineError} as fitSparse does, by rejecting; E_CANCELLED when the signal was aborted, within a few milliseconds.
+ * @throws {ExplineError} as fitSparse does, by rejecting; E_CANCELLED when the signal was aborted, within a few
+ *   milliseconds.
  */
 export async function fitSparseAsync(points: PointsLike, options?: SparseFitOptions): Promise<SparseFit> {
   const op = "fitSparseAsync";
@@ -219,9 +223,9 @@ let stateOf: (fitter: SparseFitter, op: string) => { held: Held | undefined };
 /**
  * Fits the same points again and again, for a slider: what was made of the points is kept.
  *
- * A solve gives what {@link fitSparse} does, to the last bit, whatever was solved before. With a `gap` of 1e-3 or more, for what is to be seen at
- * once, a solve by `lambda` or `smoothing` starts where the last one ended instead: its objective agrees with that of {@link fitSparse} within the
- * gap, and what `finish` makes of it may have other knots.
+ * A solve gives what {@link fitSparse} does, to the last bit, whatever was solved before. With a `gap` of 1e-3 or more,
+ * for what is to be seen at once, a solve by `lambda` or `smoothing` starts where the last one ended instead: its
+ * objective agrees with that of {@link fitSparse} within the gap, and what `finish` makes of it may have other knots.
  *
  * @example
  * ```js
@@ -264,10 +268,11 @@ export class SparseFitter {
   }
 
   /**
-   * The fit for another strength; without one, for that of the constructor. So with `signal`, which is looked at once, before the work begins, and
-   * `onProgress`.
+   * The fit for another strength; without one, for that of the constructor. So with `signal`, which is looked at once,
+   * before the work begins, and `onProgress`.
    *
-   * @throws {ExplineError} as {@link fitSparse} does; E_DISPOSED after {@link SparseFitter.dispose}, E_BUSY while another solve is under way.
+   * @throws {ExplineError} as {@link fitSparse} does; E_DISPOSED after {@link SparseFitter.dispose}, E_BUSY while
+   *   another solve is under way.
    */
   solve(strength?: FitterStrength): SparseFit {
     const op = "solve";
@@ -285,7 +290,8 @@ export class SparseFitter {
   /**
    * The same in short tasks; an abort leaves the fitter as usable as it was.
    *
-   * @throws {ExplineError} as {@link SparseFitter.solve} does, by rejecting; E_CANCELLED when the signal was aborted, within a few milliseconds.
+   * @throws {ExplineError} as {@link SparseFitter.solve} does, by rejecting; E_CANCELLED when the signal was aborted,
+   *   within a few milliseconds.
    */
   async solveAsync(strength?: FitterStrength): Promise<SparseFit> {
     const op = "solveAsync";
@@ -301,9 +307,10 @@ export class SparseFitter {
   }
 
   /**
-   * Gives the memory back, which the collector does not see: it finds forgotten fitters only between tasks, so that a loop that never waits, or only
-   * for promises, has to do it. Using the fitter afterwards throws E_DISPOSED; disposing of it again does nothing. While `solveAsync` is under way it is
-   * E_BUSY: abort that, and dispose when its promise has settled.
+   * Gives the memory back, which the collector does not see: it finds forgotten fitters only between tasks, so that a
+   * loop that never waits, or only for promises, has to do it. Using the fitter afterwards throws E_DISPOSED; disposing
+   * of it again does nothing. While `solveAsync` is under way it is E_BUSY: abort that, and dispose when its promise
+   * has settled.
    */
   dispose(): void {
     const op = "dispose";

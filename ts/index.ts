@@ -1,4 +1,6 @@
-/** The public interface of expline: each kind of work is an ES module; a bundler drops those of which nothing is used. */
+/**
+ * The public interface of expline: each kind of work is an ES module; a bundler drops those of which nothing is used.
+ */
 export { default, ExplineError, HermiteCurve, HermiteGenerators, initSync, parsePath, version } from "./core.js";
 export type {
   Bounds,

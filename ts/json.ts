@@ -99,8 +99,8 @@ function withExtra<D extends { extra: Readonly<Record<string, unknown>> | undefi
  *
  * Only own properties count. Fields that are not known are kept for the next `toJSON`; `onWarning` hears of them.
  *
- * @throws {ExplineError} E_PARSE_JSON for text that is not JSON, E_SCHEMA with `path` for other content, E_UNSUPPORTED for a newer
- *   version, E_LIMIT, and the codes of the constructor with `path`.
+ * @throws {ExplineError} E_PARSE_JSON for text that is not JSON, E_SCHEMA with `path` for other content, E_UNSUPPORTED
+ *   for a newer version, E_LIMIT, and the codes of the constructor with `path`.
  */
 export function fromJSON<V>(value: V & (0 extends 1 & V ? unknown : never), options?: ReadOptions): Readable;
 /** The Hermite curve that `toJSON` described, to the last bit. */
@@ -208,7 +208,10 @@ function located(error: ExplineError): ExplineError {
   return new ExplineError(code, OP, `$.${what}`, { ...fields, arg: "json", argument: path, path, cause: error });
 }
 
-/** What was copied, and how many brackets stand inside one another in it. What is shared is copied once: else a few lists of lists never end. */
+/**
+ * What was copied, and how many brackets stand inside one another in it. What is shared is copied once: else a few
+ * lists of lists never end.
+ */
 type Copies = Map<unknown, { readonly copy: unknown; readonly depth: number }>;
 
 /** A copy that is nothing but JSON: own properties, finite numbers, whole characters, no circle. */

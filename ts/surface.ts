@@ -54,8 +54,9 @@ export function surfaceOf(data: SurfaceData): TensorSurface {
 /**
  * A surface through a net of points: Σ net[k, l]·φ(u − k)·φ(v − l).
  *
- * A closed direction of `count` points is periodic on [0, count], an open one lives on [0, count − (2·n₀ − 3)], with row n₀ − 2 at 0. Refined
- * directions keep the parameter. Moving a point changes the surface within n₀ − 1 units of it and nowhere else.
+ * A closed direction of `count` points is periodic on [0, count], an open one lives on [0, count − (2·n₀ − 3)], with
+ * row n₀ − 2 at 0. Refined directions keep the parameter. Moving a point changes the surface within n₀ − 1 units of it
+ * and nowhere else.
  */
 export class TensorSurface {
   /** Bundles shorten names: this one is what a console shows. @internal */
@@ -82,8 +83,8 @@ export class TensorSurface {
   }
 
   /**
-   * A sphere about the origin: u runs round, v from the south pole (0, 0, −radius) to the north pole. `segments`: units in u and v,
-   * at least 3 and 2, at most 1024, by default [8, 4].
+   * A sphere about the origin: u runs round, v from the south pole (0, 0, −radius) to the north pole. `segments`: units
+   * in u and v, at least 3 and 2, at most 1024, by default [8, 4].
    *
    * @throws {ExplineError} E_RANGE of a `radius` that is not above 0, and of `segments`; as do all shapes here.
    * @example
@@ -96,27 +97,42 @@ export class TensorSurface {
     return shape("sphere", 0, [["radius", radius]], segments, [8, 4]);
   }
 
-  /** An ellipsoid about the origin with its half axes along x, y and z, otherwise as {@link TensorSurface.sphere}, also in `segments`. */
+  /**
+   * An ellipsoid about the origin with its half axes along x, y and z, otherwise as {@link TensorSurface.sphere}, also
+   * in `segments`.
+   */
   static ellipsoid(radii: readonly [number, number, number] | Float32Array | Float64Array, segments?: readonly [number, number]): TensorSurface {
     return shape("ellipsoid", 1, three("ellipsoid", "radii", radii), segments, [8, 4]);
   }
 
-  /** A torus about the z axis: u runs round the axis at distance `radius`, v round the tube, of radius `tube`; both above 0. `segments` at least 3, by default [8, 6]. */
+  /**
+   * A torus about the z axis: u runs round the axis at distance `radius`, v round the tube, of radius `tube`; both
+   * above 0. `segments` at least 3, by default [8, 6].
+   */
   static torus(radius: number, tube: number, segments?: readonly [number, number]): TensorSurface {
     return shape("torus", 2, [["radius", radius], ["tube", tube]], segments, [8, 6]);
   }
 
-  /** A cylinder about the z axis, without lids, from z = −height/2 to height/2. `segments` at least 3 and 1, by default [8, 2]. */
+  /**
+   * A cylinder about the z axis, without lids, from z = −height/2 to height/2. `segments` at least 3 and 1, by default
+   * [8, 2].
+   */
   static cylinder(radius: number, height: number, segments?: readonly [number, number]): TensorSurface {
     return shape("cylinder", 3, [["radius", radius], ["height", height]], segments, [8, 2]);
   }
 
-  /** Steiner's Roman surface ½r²(cos a·sin 2b, sin a·sin 2b, sin 2a·cos² b), covered four times. `segments` at least 5, by default [5, 5]. */
+  /**
+   * Steiner's Roman surface ½r²(cos a·sin 2b, sin a·sin 2b, sin 2a·cos² b), covered four times. `segments` at least 5,
+   * by default [5, 5].
+   */
   static romanSurface(r: number, segments?: readonly [number, number]): TensorSurface {
     return shape("romanSurface", 4, [["r", r]], segments, [5, 5]);
   }
 
-  /** A piece of x²/a² − y²/b² = z/h: (a·p·cosh q, b·p·sinh q, h·p²) for p and q from −1 to 1. `segments` at least 1, by default [6, 6]. */
+  /**
+   * A piece of x²/a² − y²/b² = z/h: (a·p·cosh q, b·p·sinh q, h·p²) for p and q from −1 to 1. `segments` at least 1, by
+   * default [6, 6].
+   */
   static hyperbolicParaboloid(a: number, b: number, h: number, segments?: readonly [number, number]): TensorSurface {
     return shape("hyperbolicParaboloid", 5, [["a", a], ["b", b], ["h", h]], segments, [6, 6]);
   }
@@ -178,8 +194,8 @@ export class TensorSurface {
    *
    * Derivatives up to n₀ − 2 are continuous. Closed directions take any parameter.
    *
-   * @throws {ExplineError} E_RANGE of parameters outside the domain of an open direction, and of `du` or `dv` outside 0 to 8; E_LENGTH where `u` and `v`
-   *   are not as many.
+   * @throws {ExplineError} E_RANGE of parameters outside the domain of an open direction, and of `du` or `dv` outside 0
+   *   to 8; E_LENGTH where `u` and `v` are not as many.
    */
   evaluate(u: number | Float64Array | readonly number[], v: number | Float64Array | readonly number[], du = 0, dv = 0): Float64Array {
     const op = "evaluate";
@@ -192,7 +208,10 @@ export class TensorSurface {
     return pairwise(this, "normal", u, v, (kernel, slot, count) => kernel.surface_evaluate(slot, count, 255, 0));
   }
 
-  /** Gaussian curvature, in 1 per unit squared, and mean curvature, in 1 per unit, with respect to the normal (negative on a sphere), at pairs of parameters. */
+  /**
+   * Gaussian curvature, in 1 per unit squared, and mean curvature, in 1 per unit, with respect to the normal (negative
+   * on a sphere), at pairs of parameters.
+   */
   curvature(
     u: number | Float64Array | readonly number[],
     v: number | Float64Array | readonly number[],
@@ -201,15 +220,20 @@ export class TensorSurface {
   }
 
   /**
-   * Triangles between `rows` × `cols` vertices, uniform in u and v: at i/rows of a closed direction, at i/(rows − 1) of an open one.
+   * Triangles between `rows` × `cols` vertices, uniform in u and v: at i/rows of a closed direction, at i/(rows − 1) of
+   * an open one.
    *
-   * The triangles depend on `rows`, `cols` and on what is closed, not on the net. With `out`, a mesh of the same size is
-   * filled again, whether it holds Float64Arrays or Float32Arrays; its triangles are left as they are.
+   * The triangles depend on `rows`, `cols` and on what is closed, not on the net. With `out`, a mesh of the same size
+   * is filled again, whether it holds Float64Arrays or Float32Arrays; its triangles are left as they are.
    *
-   * @throws {ExplineError} E_RANGE of `rows` or `cols` below 2, E_LIMIT where they are more than 4,000,000 vertices; E_LENGTH of an `out` of another size.
+   * @throws {ExplineError} E_RANGE of `rows` or `cols` below 2, E_LIMIT where they are more than 4,000,000 vertices;
+   *   E_LENGTH of an `out` of another size.
    */
   mesh(rows: number, cols: number): SurfaceMesh & { positions: Float64Array; normals: Float64Array };
-  /** Fills a mesh of the same size again, whether it holds Float64Arrays or Float32Arrays; its triangles are left as they are. */
+  /**
+   * Fills a mesh of the same size again, whether it holds Float64Arrays or Float32Arrays; its triangles are left as
+   * they are.
+   */
   mesh<M extends SurfaceMesh>(rows: number, cols: number, options: { out: M }): M;
   /** Fills `out` where there is one, and else makes a mesh. */
   mesh(rows: number, cols: number, options: { out?: SurfaceMesh | undefined } | undefined): SurfaceMesh;
@@ -222,10 +246,11 @@ export class TensorSurface {
   }
 
   /**
-   * Computes the part of a mesh again that net point (i, j), or control point (i, j) of a patch, touches: to the last bit what
-   * `mesh` would give. Returns which part.
+   * Computes the part of a mesh again that net point (i, j), or control point (i, j) of a patch, touches: to the last
+   * bit what `mesh` would give. Returns which part.
    *
-   * @throws {ExplineError} E_RANGE of an `i` or `j` that the net, or the patch, has not; E_TYPE for what is no mesh, E_LENGTH for one of the wrong size.
+   * @throws {ExplineError} E_RANGE of an `i` or `j` that the net, or the patch, has not; E_TYPE for what is no mesh,
+   *   E_LENGTH for one of the wrong size.
    */
   remesh(mesh: SurfaceMesh, i: number, j: number, patch?: number): MeshRegion {
     const op = "remesh";
@@ -249,7 +274,8 @@ export class TensorSurface {
    *
    * A refined direction holds control points near the surface; what is closed stays closed, and the parameter stays.
    *
-   * @throws {ExplineError} E_RANGE of levels outside 0 to 12; E_LIMIT where a direction's would be above 12, or the net have more than 4,194,304 points.
+   * @throws {ExplineError} E_RANGE of levels outside 0 to 12; E_LIMIT where a direction's would be above 12, or the net
+   *   have more than 4,194,304 points.
    */
   refine(levelsU: number, levelsV: number): TensorSurface {
     const op = "refine";
@@ -259,8 +285,9 @@ export class TensorSurface {
   }
 
   /**
-   * The nearest surface whose net is coarser by 2^levelsU and 2^levelsV, and `maxError`, the largest distance from this one, parameter
-   * by parameter, to about 1e-4 of itself. What was refined and not changed comes back; level 0 goes through its points again.
+   * The nearest surface whose net is coarser by 2^levelsU and 2^levelsV, and `maxError`, the largest distance from this
+   * one, parameter by parameter, to about 1e-4 of itself. What was refined and not changed comes back; level 0 goes
+   * through its points again.
    *
    * @throws {ExplineError} E_RANGE of more levels than the direction has.
    */
@@ -273,11 +300,12 @@ export class TensorSurface {
   }
 
   /**
-   * The same surface, to the last bit, with a patch of finer control points around (u, v): `levels` (default 1) doublings beyond the net's, all
-   * within `reach` units (default 1) in each direction. The rest of the net stays as it is; its points take the detail along.
+   * The same surface, to the last bit, with a patch of finer control points around (u, v): `levels` (default 1)
+   * doublings beyond the net's, all within `reach` units (default 1) in each direction. The rest of the net stays as it
+   * is; its points take the detail along.
    *
-   * @throws {ExplineError} E_RANGE of `u` or `v` outside an open direction, of `levels` outside 1 to 12, of `reach` outside 0 to 1e6; E_DEGENERATE of a
-   *   `reach` within which there is no control point.
+   * @throws {ExplineError} E_RANGE of `u` or `v` outside an open direction, of `levels` outside 1 to 12, of `reach`
+   *   outside 0 to 1e6; E_DEGENERATE of a `reach` within which there is no control point.
    */
   refineAt(
     u: number,
@@ -307,9 +335,11 @@ export class TensorSurface {
   /**
    * Moves net point (i, j).
    *
-   * A smooth pole, where a whole row is one point, stays smooth: that row moves as one, and the rows beyond follow those inside.
+   * A smooth pole, where a whole row is one point, stays smooth: that row moves as one, and the rows beyond follow
+   * those inside.
    *
-   * @throws {ExplineError} E_RANGE of an `i` or `j` that the net has not, and of coordinates beyond ±1e9; nothing has moved then.
+   * @throws {ExplineError} E_RANGE of an `i` or `j` that the net has not, and of coordinates beyond ±1e9; nothing has
+   *   moved then.
    */
   setPoint(i: number, j: number, x: number, y: number, z: number): void {
     const op = "setPoint";
@@ -340,10 +370,12 @@ export class TensorSurface {
   }
 
   /**
-   * The image under the affine map of a 4 × 4 matrix, 16 numbers column by column, as three.js has them in `Matrix4.elements`; the last row is
-   * 0, 0, 0, 1. Exact to rounding; patches come along. Where the matrix reflects, normals point to the other side.
+   * The image under the affine map of a 4 × 4 matrix, 16 numbers column by column, as three.js has them in
+   * `Matrix4.elements`; the last row is 0, 0, 0, 1. Exact to rounding; patches come along. Where the matrix reflects,
+   * normals point to the other side.
    *
-   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots of both directions: no net makes the image then.
+   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots of both
+   *   directions: no net makes the image then.
    */
   transform(matrix: MatrixLike): TensorSurface {
     const op = "transform";
@@ -356,7 +388,8 @@ export class TensorSurface {
   /**
    * A mesh as a Wavefront OBJ file, with normals. `rows` and `cols` default to 64, `name` to "surface".
    *
-   * @throws {ExplineError} as {@link TensorSurface.mesh} does; E_LIMIT with `limit` "maxWrittenVertices" above 1,000,000 vertices.
+   * @throws {ExplineError} as {@link TensorSurface.mesh} does; E_LIMIT with `limit` "maxWrittenVertices" above
+   *   1,000,000 vertices.
    */
   toObj(options?: MeshFileOptions): string {
     const op = "toObj";
@@ -365,13 +398,18 @@ export class TensorSurface {
     return objOf(this.mesh(rows, cols), name);
   }
 
-  /** A mesh as a binary glTF 2.0 file (.glb), complete in itself. `rows` and `cols` default to 64, `name` to "surface". */
+  /**
+   * A mesh as a binary glTF 2.0 file (.glb), complete in itself. `rows` and `cols` default to 64, `name` to "surface".
+   */
   toGltf(options?: MeshFileOptions): OwnBytes {
     const { rows, cols, name } = fileOptions("toGltf", options);
     return gltfOf(this.mesh(rows, cols), name);
   }
 
-  /** The surface as plain data, for files and for `postMessage`, which takes no surface; `fromJSON` is the inverse to the last bit. */
+  /**
+   * The surface as plain data, for files and for `postMessage`, which takes no surface; `fromJSON` is the inverse to
+   * the last bit.
+   */
   toJSON(): TensorSurfaceJSON {
     return surfaceJSON(dataOf(this, "toJSON"));
   }

@@ -53,18 +53,21 @@ function stepOf(op: string, picture: Picture): Step {
 /**
  * The outlines of a drawing, as few curves as explain its pixels.
  *
- * The threshold between ink and paper, the noise and the corners are found in the picture; where something is transparent, that is paper. Corners
- * stay corners, straight lines are lines, circles are circles, and the curves are refined until they cover of every pixel what the picture says.
- * The same picture gives the same bits everywhere.
+ * The threshold between ink and paper, the noise and the corners are found in the picture; where something is
+ * transparent, that is paper. Corners stay corners, straight lines are lines, circles are circles, and the curves are
+ * refined until they cover of every pixel what the picture says. The same picture gives the same bits everywhere.
  *
- * @throws {ExplineError} E_LIMIT with `limit` "maxContours", `actual` and `offer` for a photograph; "maxContourPoints" where contours cross more places
- *   between pixels than half as many as there are pixels, and 65,536 (noise, dithering: a `blur` helps); "maxPixels" above 40 megapixels.
- *   E_MEMORY where outlines are so many or so long that the 512 MiB of an engine do not do; half the size needs less than half. E_LENGTH of `data`
- *   that `width` and `height` do not explain.
+ * @throws {ExplineError} E_LIMIT with `limit` "maxContours", `actual` and `offer` for a photograph; "maxContourPoints"
+ *   where contours cross more places between pixels than half as many as there are pixels, and 65,536 (noise,
+ *   dithering: a `blur` helps); "maxPixels" above 40 megapixels. E_MEMORY where outlines are so many or so long that
+ *   the 512 MiB of an engine do not do; half the size needs less than half. E_LENGTH of `data` that `width` and
+ *   `height` do not explain.
  * @example
  * ```js
- * const shade = (i) => 255 * Math.min(1, Math.max(0, Math.hypot((i % 64) - 31.5, (i >> 6) - 31.5) - 19.5)); // a disc of radius 20
- * const image = { width: 64, height: 64, data: Uint8Array.from({ length: 64 * 64 }, (_, i) => shade(i)) }; // or an ImageData
+ * const fromMiddle = (i) => Math.hypot((i % 64) - 31.5, (i >> 6) - 31.5);
+ * const shade = (i) => 255 * Math.min(1, Math.max(0, fromMiddle(i) - 19.5)); // a disc of radius 20
+ * const data = Uint8Array.from({ length: 64 * 64 }, (_, i) => shade(i));
+ * const image = { width: 64, height: 64, data }; // or an ImageData
  * const [{ curve, closed }] = traceImage(image).contours;
  * console.log(closed, curve.asEllipse(0.05).radii.map((radius) => radius.toFixed(1))); // → true [ '20.0', '20.0' ]
  * ```
@@ -82,10 +85,12 @@ export function traceImage(image: ImageLike, options?: TraceOptions): Trace {
 }
 
 /**
- * {@link traceImage} in short tasks on the caller's own thread: a page goes on painting and answering meanwhile. In a worker it lets messages
- * through, so that one of them can abort the signal. The picture is read in the first tasks, and must be left alone until the answer is there.
+ * {@link traceImage} in short tasks on the caller's own thread: a page goes on painting and answering meanwhile. In a
+ * worker it lets messages through, so that one of them can abort the signal. The picture is read in the first tasks,
+ * and must be left alone until the answer is there.
  *
- * @throws {ExplineError} as traceImage does, by rejecting; E_CANCELLED when the signal was aborted, within a few milliseconds.
+ * @throws {ExplineError} as traceImage does, by rejecting; E_CANCELLED when the signal was aborted, within a few
+ *   milliseconds.
  */
 export async function traceImageAsync(image: ImageLike, options?: TraceOptions): Promise<Trace> {
   const op = "traceImageAsync";
@@ -102,9 +107,9 @@ export async function traceImageAsync(image: ImageLike, options?: TraceOptions):
 }
 
 /**
- * A picture of dark ink on paper as if as much light fell on all of it: shades from 0, black, to 255, white, a byte each. Undefined where the
- * light is even already, or where most of the picture is not paper. {@link traceImage} does this by itself, unless a threshold is given; here it is
- * for showing what is traced.
+ * A picture of dark ink on paper as if as much light fell on all of it: shades from 0, black, to 255, white, a byte
+ * each. Undefined where the light is even already, or where most of the picture is not paper. {@link traceImage} does
+ * this by itself, unless a threshold is given; here it is for showing what is traced.
  *
  * @throws {ExplineError} as traceImage does for its image.
  */

@@ -3,15 +3,21 @@ import { LARGEST, exactly, finite, inRange } from "./arguments.js";
 import { ExplineError, degenerate, range } from "./error.js";
 import type { Floats } from "./kernel.js";
 
-/** How far the last row of a 4 × 4 matrix may be from 0, 0, 0, 1: products and inverses in single precision are off by as much. */
+/**
+ * How far the last row of a 4 × 4 matrix may be from 0, 0, 0, 1: products and inverses in single precision are off by
+ * as much.
+ */
 const ROUNDED = 1e-6;
 
-/** The images of interleaved points, within ±`most`; of displacements, with `shift` 0, as no translation moves them. @internal */
+/**
+ * The images of interleaved points, within ±`most`; of displacements, with `shift` 0, as no translation moves them.
+ * @internal
+ */
 export type AffineMap = (list: Float64Array, most?: number, shift?: 0 | 1) => Floats;
 
 /**
- * The map of a matrix that a caller gives. What is a sum over functions that do not keep constants, for want of a root 0, cannot be moved: of such
- * `roots` a translation is refused.
+ * The map of a matrix that a caller gives. What is a sum over functions that do not keep constants, for want of a root
+ * 0, cannot be moved: of such `roots` a translation is refused.
  * @internal
  */
 export function affine(op: string, value: unknown, dimension: 2 | 3, ...roots: readonly Floats[]): AffineMap {

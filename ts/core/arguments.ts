@@ -11,14 +11,20 @@ export const MAX_EVALUATIONS = 4_000_000;
 /** The most points that one call may return. */
 export const MAX_OUTPUT = 4_000_000;
 
-/** Points as they may be given: interleaved, as pairs, in arrays or typed arrays of any kind, or as objects with x and y. */
+/**
+ * Points as they may be given: interleaved, as pairs, in arrays or typed arrays of any kind, or as objects with x and
+ * y.
+ */
 export type PointsLike =
   | Float64Array
   | readonly number[]
   | readonly ArrayLike<number>[]
   | readonly { readonly x: number; readonly y: number }[];
 
-/** Points in space as they may be given: interleaved, as triples, in arrays or typed arrays of any kind, or as objects with x, y and z. */
+/**
+ * Points in space as they may be given: interleaved, as triples, in arrays or typed arrays of any kind, or as objects
+ * with x, y and z.
+ */
 export type SpacePointsLike =
   | Float64Array
   | readonly number[]
@@ -26,8 +32,9 @@ export type SpacePointsLike =
   | readonly { readonly x: number; readonly y: number; readonly z: number }[];
 
 /**
- * An affine map: of the plane six numbers a, b, c, d, e, f in the order of SVG's `matrix(a b c d e f)`; of space the 16 of a 4 × 4 matrix, column by
- * column, as WebGL, three.js (`Matrix4.elements`) and `DOMMatrix.toFloat64Array()` have them.
+ * An affine map: of the plane six numbers a, b, c, d, e, f in the order of SVG's `matrix(a b c d e f)`; of space the 16
+ * of a 4 × 4 matrix, column by column, as WebGL, three.js (`Matrix4.elements`) and `DOMMatrix.toFloat64Array()` have
+ * them.
  */
 export type MatrixLike = readonly number[] | Float32Array | Float64Array;
 
@@ -42,7 +49,9 @@ export function isFloat64Array(value: unknown): value is Float64Array {
   return tagOf(value) === "Float64Array";
 }
 
-/** The true length, whatever a subclass says; refuses an array whose buffer has gone, or has become too short for it. */
+/**
+ * The true length, whatever a subclass says; refuses an array whose buffer has gone, or has become too short for it.
+ */
 export function lengthOfArray(op: string, arg: string, value: Float64Array | Float32Array | Uint8Array | Uint8ClampedArray): number {
   const length = lengthOf?.call(value) as number;
   if (length === 0 && isLost(value)) {
@@ -54,7 +63,9 @@ export function lengthOfArray(op: string, arg: string, value: Float64Array | Flo
   return length;
 }
 
-/** Tells an array that has nothing to lie on from an honest one of length 0: all but a few methods refuse the former. */
+/**
+ * Tells an array that has nothing to lie on from an honest one of length 0: all but a few methods refuse the former.
+ */
 function isLost(value: unknown): boolean {
   try {
     search.call(value as Float64Array, 0);
@@ -131,7 +142,10 @@ export function word<W extends string>(op: string, arg: string, value: unknown, 
   return found;
 }
 
-/** The own properties of an options object, read once; a name that is not known is an error, and so is an object inside that is missing. */
+/**
+ * The own properties of an options object, read once; a name that is not known is an error, and so is an object inside
+ * that is missing.
+ */
 export function options<K extends string>(
   op: string,
   value: unknown,
@@ -157,8 +171,8 @@ export function options<K extends string>(
 }
 
 /**
- * A copy of the numbers of a Float64Array or of an array of numbers; finite or not is not looked at. `or` says what else the caller takes; the
- * limit is on things of `each` numbers.
+ * A copy of the numbers of a Float64Array or of an array of numbers; finite or not is not looked at. `or` says what
+ * else the caller takes; the limit is on things of `each` numbers.
  */
 export function numbers(op: string, arg: string, value: unknown, limit: string, max: number, or = "", each = 1): Coordinates {
   if (isFloat64Array(value)) {
@@ -183,7 +197,9 @@ export function parameters(op: string, arg: string, value: unknown): Coordinates
   return typeof value === "number" ? Float64Array.of(value) : numbers(op, arg, value, "maxEvalPoints", MAX_EVALUATIONS, "a number, ");
 }
 
-/** What a message is about: the number that stands alone and has no index, or the list that was made of what was given. */
+/**
+ * What a message is about: the number that stands alone and has no index, or the list that was made of what was given.
+ */
 export function oneOr(value: unknown, list: Coordinates): number | Coordinates {
   return typeof value === "number" ? value : list;
 }

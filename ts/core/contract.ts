@@ -48,9 +48,15 @@ export interface Ellipse {
 
 /** How a path is written. */
 export interface PathOptions {
-  /** Largest distance between the path and the curve, in the user's unit. Default 0.02; below 1e-9 of the curve's extent it counts as that. */
+  /**
+   * Largest distance between the path and the curve, in the user's unit. Default 0.02; below 1e-9 of the curve's extent
+   * it counts as that.
+   */
   tolerance?: number | undefined;
-  /** Digits after the point, 0 to 17. Default: as few as the tolerance allows; 17 keeps every coordinate to the last bit. */
+  /**
+   * Digits after the point, 0 to 17. Default: as few as the tolerance allows; 17 keeps every coordinate to the last
+   * bit.
+   */
   decimals?: number | undefined;
   /** Whether pieces of ellipses are written as arcs, `A`. Default true. */
   arcs?: boolean | undefined;
@@ -66,7 +72,10 @@ export interface Curve {
   readonly domain: readonly [number, number];
   /** 2 for a curve of the plane, 3 in space. */
   readonly dimension: 2 | 3;
-  /** Points, or derivatives by the parameter, at one or many t: all coordinates in turn. An open curve refuses t outside its domain. */
+  /**
+   * Points, or derivatives by the parameter, at one or many t: all coordinates in turn. An open curve refuses t outside
+   * its domain.
+   */
   evaluate(t: number | Float64Array | readonly number[], derivative?: number, out?: Float64Array): Float64Array;
   /** `count` points evenly over the parameter; an open curve's last one is its end. */
   sample(count: number, options?: { out?: Float64Array | undefined; tangents?: boolean | undefined }): Float64Array;
@@ -84,7 +93,10 @@ export interface Curve {
   asEllipse(tolerance?: number): Ellipse | undefined;
   /** Its length, to an absolute tolerance; default 1e-9 of its size. */
   length(tolerance?: number): number;
-  /** The parameter up to which the curve has the given length: from 0 to its own, of a closed curve no more than one round. */
+  /**
+   * The parameter up to which the curve has the given length: from 0 to its own, of a closed curve no more than one
+   * round.
+   */
   parameterAtLength(length: number, tolerance?: number): number;
   /** The signed area of a closed curve of the plane. */
   area(): number;

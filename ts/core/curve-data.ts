@@ -31,7 +31,10 @@ export abstract class HeldCurve<K extends CurveKernel = CurveKernel> extends Hel
   /** The highest derivative that can be asked for. */
   abstract get orders(): number;
 
-  /** The curve with points and tangents that a path is made of, how far it is from this one, and what that leaves of the tolerance. */
+  /**
+   * The curve with points and tangents that a path is made of, how far it is from this one, and what that leaves of the
+   * tolerance.
+   */
   abstract outline(op: string, tolerance: number): { data: CurveData; near: number; rest: number };
 
   /** The curve as one with points and tangents, if it is one. */

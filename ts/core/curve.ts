@@ -25,9 +25,14 @@ import type { CurveKernel } from "./engine.js";
 import type { PathObject } from "./host.js";
 import { outputText, result } from "./kernel.js";
 
-/** Points in one block of a bulk call: 128 kB, which stay in the second cache; shorter copies wait for memory more often. */
+/**
+ * Points in one block of a bulk call: 128 kB, which stay in the second cache; shorter copies wait for memory more
+ * often.
+ */
 const BLOCK = 8192;
-/** Of so many points as take megabytes anyway, 2 MB at a time: long copies wait for memory less than the cache is worth. */
+/**
+ * Of so many points as take megabytes anyway, 2 MB at a time: long copies wait for memory less than the cache is worth.
+ */
 const LONG = 2 ** 18;
 const LONG_BLOCK = 2 ** 17;
 /** Stands for "the kernel's default" where a tolerance is expected. */
@@ -57,7 +62,8 @@ export abstract class MeasuredCurve implements Curve {
   }
 
   /**
-   * A curve is no plain object, and says so: Vue wraps those in proxies, through which private fields cannot be reached. Consoles show it.
+   * A curve is no plain object, and says so: Vue wraps those in proxies, through which private fields cannot be
+   * reached. Consoles show it.
    * @internal
    */
   get [Symbol.toStringTag](): string {
@@ -83,19 +89,20 @@ export abstract class MeasuredCurve implements Curve {
   /**
    * Points, or derivatives with respect to the parameter, at one or many parameters: all coordinates in turn.
    *
-   * Hermite curves have derivatives to order 2, others to one less than they have roots, but at least 2. Where a derivative
-   * jumps it is that of the segment that starts there. A closed curve takes any t.
+   * Hermite curves have derivatives to order 2, others to one less than they have roots, but at least 2. Where a
+   * derivative jumps it is that of the segment that starts there. A closed curve takes any t.
    *
    * @param out - where the numbers go, if not into a new array; it may be longer than needed.
-   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve, of `derivative` above the highest order; E_LENGTH of an `out` that is
-   *   too short.
+   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve, of `derivative` above the highest order;
+   *   E_LENGTH of an `out` that is too short.
    * @example
    * ```js
    * const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 2 });
    * const [x, y] = circle.evaluate(0.5); // a point
    * const places = circle.evaluate([0, 0.5, 1]); // three points: x0, y0, x1, y1, x2, y2
    * const [dx, dy] = circle.evaluate(0.5, 1); // the tangent there
-   * console.log(Math.hypot(x, y).toFixed(12), places.length, (x * dx + y * dy).toFixed(12)); // → 5.000000000000 6 0.000000000000
+   * console.log(Math.hypot(x, y).toFixed(12), places.length); // → 5.000000000000 6
+   * console.log((x * dx + y * dy).toFixed(12)); // → 0.000000000000
    * ```
    */
   evaluate(t: number | Float64Array | readonly number[], derivative = 0, out?: Float64Array): Float64Array {
@@ -122,11 +129,13 @@ export abstract class MeasuredCurve implements Curve {
 
   /**
    * `count` points spread uniformly over the parameter: at i/count of the domain of a closed curve, at i/(count − 1)
-   * of an open one; all coordinates in turn. With `tangents` each point is followed by its derivative: x, y, dx/dt, dy/dt.
+   * of an open one; all coordinates in turn. With `tangents` each point is followed by its derivative: x, y, dx/dt,
+   * dy/dt.
    *
    * `out` is where the numbers go, if not into a new array; it may be longer than needed.
    *
-   * @throws {ExplineError} E_RANGE of a `count` below 1, E_LIMIT above 4,000,000; E_LENGTH of an `out` that is too short.
+   * @throws {ExplineError} E_RANGE of a `count` below 1, E_LIMIT above 4,000,000; E_LENGTH of an `out` that is too
+   *   short.
    */
   sample(
     count: number,
@@ -152,10 +161,11 @@ export abstract class MeasuredCurve implements Curve {
   }
 
   /**
-   * `count` points at equal distances along the curve, all coordinates in turn; a closed one does not repeat its start. `tolerance` is that of the
-   * lengths, in the user's unit; default 1e-9 of the curve's size.
+   * `count` points at equal distances along the curve, all coordinates in turn; a closed one does not repeat its start.
+   * `tolerance` is that of the lengths, in the user's unit; default 1e-9 of the curve's size.
    *
-   * @throws {ExplineError} E_RANGE of a `count` below 1 or a `tolerance` that is not above 0, E_LIMIT of a `count` above 4,000,000.
+   * @throws {ExplineError} E_RANGE of a `count` below 1 or a `tolerance` that is not above 0, E_LIMIT of a `count`
+   *   above 4,000,000.
    */
   sampleByLength(count: number, options?: { tolerance?: number | undefined }): Float64Array {
     const op = "sampleByLength";
@@ -178,8 +188,8 @@ export abstract class MeasuredCurve implements Curve {
   }
 
   /**
-   * The parameter up to which the curve has the given length: from 0 to its own, of a closed curve no more than one round. `tolerance` is that of
-   * the length, in the user's unit; default 1e-9 of the curve's size.
+   * The parameter up to which the curve has the given length: from 0 to its own, of a closed curve no more than one
+   * round. `tolerance` is that of the length, in the user's unit; default 1e-9 of the curve's size.
    *
    * @throws {ExplineError} E_RANGE of a `length` below 0 or above the curve's own, by more than the tolerance.
    */
@@ -220,7 +230,8 @@ export abstract class MeasuredCurve implements Curve {
   }
 
   /**
-   * The point of the curve that is nearest to (x, y), in space to (x, y, z); of several the one that the curve reaches first.
+   * The point of the curve that is nearest to (x, y), in space to (x, y, z); of several the one that the curve reaches
+   * first.
    *
    * @throws {ExplineError} E_RANGE of a coordinate beyond ±1e9; E_TYPE where a curve in space is asked without `z`.
    * @example
@@ -252,11 +263,11 @@ export abstract class MeasuredCurve implements Curve {
   }
 
   /**
-   * The signed curvature at one or many parameters, in 1 per unit; positive where the curve turns from the x axis towards the y axis;
-   * without a sign in space.
+   * The signed curvature at one or many parameters, in 1 per unit; positive where the curve turns from the x axis
+   * towards the y axis; without a sign in space.
    *
-   * @throws {ExplineError} E_DEGENERATE where the speed is zero; `partial` then holds the values, with 0 at such places. E_RANGE of `t` outside the
-   *   domain of an open curve.
+   * @throws {ExplineError} E_DEGENERATE where the speed is zero; `partial` then holds the values, with 0 at such
+   *   places. E_RANGE of `t` outside the domain of an open curve.
    */
   curvature(t: number | Float64Array | readonly number[]): Float64Array {
     const op = "curvature";
@@ -269,10 +280,11 @@ export abstract class MeasuredCurve implements Curve {
   }
 
   /**
-   * A polyline that is nowhere farther from the curve than `tolerance`: all coordinates in turn; a closed one does not repeat its start.
-   * A tolerance below 1e-9 of the curve's extent counts as that.
+   * A polyline that is nowhere farther from the curve than `tolerance`: all coordinates in turn; a closed one does not
+   * repeat its start. A tolerance below 1e-9 of the curve's extent counts as that.
    *
-   * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0; E_LIMIT where it would take more than 4,000,000 points.
+   * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0; E_LIMIT where it would take more than
+   *   4,000,000 points.
    */
   flatten(tolerance: number): Float64Array {
     const op = "flatten";
@@ -282,10 +294,11 @@ export abstract class MeasuredCurve implements Curve {
   }
 
   /**
-   * Cubic Béziers within `tolerance`, eight numbers each (twelve in space), as few as it takes; `maxError` is a proved bound of the distance.
-   * A tolerance below 1e-9 of the curve's extent counts as that.
+   * Cubic Béziers within `tolerance`, eight numbers each (twelve in space), as few as it takes; `maxError` is a proved
+   * bound of the distance. A tolerance below 1e-9 of the curve's extent counts as that.
    *
-   * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0; E_LIMIT where it would take more than 4,000,000 points.
+   * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0; E_LIMIT where it would take more than
+   *   4,000,000 points.
    */
   toCubics(tolerance: number): { path: Float64Array; maxError: number } {
     const op = "toCubics";
@@ -296,10 +309,11 @@ export abstract class MeasuredCurve implements Curve {
   }
 
   /**
-   * The curve as SVG path data: lines and, by default, arcs as they are, all else as cubics; `maxError` is the distance that results.
+   * The curve as SVG path data: lines and, by default, arcs as they are, all else as cubics; `maxError` is the distance
+   * that results.
    *
-   * @throws {ExplineError} E_DEGENERATE for a curve in space; E_RANGE of a `tolerance` that is not above 0, of `decimals` outside 0 to 17, and of a
-   *   curve whose path would have a Bézier point beyond ±1e9.
+   * @throws {ExplineError} E_DEGENERATE for a curve in space; E_RANGE of a `tolerance` that is not above 0, of
+   *   `decimals` outside 0 to 17, and of a curve whose path would have a Bézier point beyond ±1e9.
    * @example
    * ```js
    * const circle = HermiteCurve.ellipse({ center: [10, 10], radii: [8, 8], count: 4 });
@@ -332,9 +346,9 @@ export abstract class MeasuredCurve implements Curve {
   }
 
   /**
-   * The one ellipse, or the arc of one, that all segments are arcs of, each within `tolerance` (default 1e-9 of its size); undefined where they are not.
-   * Only trigonometric segments can be: no cubic is an arc, however near one it runs, and of interpolating and B-spline curves those whose
-   * roots are 0, at most twice, and ±iω.
+   * The one ellipse, or the arc of one, that all segments are arcs of, each within `tolerance` (default 1e-9 of its
+   * size); undefined where they are not. Only trigonometric segments can be: no cubic is an arc, however near one it
+   * runs, and of interpolating and B-spline curves those whose roots are 0, at most twice, and ±iω.
    *
    * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0.
    */

@@ -15,8 +15,9 @@ interface Decoder {
 const PAGE = 65536;
 
 /**
- * The wasm whose text was inlined by the build, with so much room for its streams and itself; what it has in common with another is only
- * in the other's text. A thousand bytes of wasm do it: cold JavaScript takes milliseconds for so long a loop.
+ * The wasm whose text was inlined by the build, with so much room for its streams and itself; what it has in common
+ * with another is only in the other's text. A thousand bytes of wasm do it: cold JavaScript takes milliseconds for so
+ * long a loop.
  * @internal
  */
 export function decoded(room: number, text: string, shift: number, other = "", otherShift = 0): Uint8Array<ArrayBuffer> {

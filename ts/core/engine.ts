@@ -176,8 +176,8 @@ function instantiate<K extends AnyKernel>({ op, mark }: Engine<K>, from: WebAsse
 }
 
 /**
- * Loads the engine early, or from elsewhere. Not needed before the first call: without it the wasm inside the package is
- * compiled when it is first used.
+ * Loads the engine early, or from elsewhere. Not needed before the first call: without it the wasm inside the package
+ * is compiled when it is first used.
  *
  * Calls while one is under way share it; once an engine is there, further calls change nothing. A failure is not kept:
  * the next call tries again.

@@ -31,22 +31,27 @@ export type ErrorCode =
   /** The engine could not be started; `reason` is one of csp, network, mime, compile, version, memory, unsupported. */
   | "E_INIT"
   /**
-   * `expline/slim` was used before `init`, or other work than curves before its own: `initSpline`, `initSurface`, `initFit`, `initTrace`. The curves of
-   * fits and traces need `init`, too.
+   * `expline/slim` was used before `init`, or other work than curves before its own: `initSpline`, `initSurface`,
+   * `initFit`, `initTrace`. The curves of fits and traces need `init`, too.
    */
   | "E_NOT_READY"
   /** The caller's AbortSignal ended the work; `cause` is the signal's reason. */
   | "E_CANCELLED"
   /** An object was used after `dispose`. */
   | "E_DISPOSED"
-  /** An object was used while it is at work: from inside its own progress callback, or before its promise has settled. */
+  /**
+   * An object was used while it is at work: from inside its own progress callback, or before its promise has settled.
+   */
   | "E_BUSY"
   /** The engine stopped: a fault of ours. It is replaced at the next call, and nothing is lost. */
   | "E_INTERNAL";
 
 /** The fields of an {@link ExplineError} beside its code and message. */
 export interface ErrorDetails {
-  /** The argument at fault, with the position where there is one: `points[17]`, of pairs and objects `points[8][1]`, `points[8].y`. */
+  /**
+   * The argument at fault, with the position where there is one: `points[17]`, of pairs and objects `points[8][1]`,
+   * `points[8].y`.
+   */
   readonly argument?: string;
   /** The argument's bare name: `points`. */
   readonly arg?: string;
@@ -89,7 +94,10 @@ const NAME = "ExplineError";
 
 /** What is known of it: whatever there is, is an own field. */
 export interface ExplineError extends ErrorDetails {
-  /** Said here: `Error` has it, too, but in libraries before ES2022. The error that caused this one: the signal's reason of E_CANCELLED. */
+  /**
+   * Said here: `Error` has it, too, but in libraries before ES2022. The error that caused this one: the signal's reason
+   * of E_CANCELLED.
+   */
   readonly cause?: unknown;
 }
 

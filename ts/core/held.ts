@@ -12,7 +12,10 @@ let clock = 0;
 /** What every wasm can do that holds something in slots. @internal */
 export type HoldingKernel = Pick<CurveKernel, "memory" | "record_address" | "input_address" | "text_address" | "kernel_version" | "forget">;
 
-/** What one curve or surface is made of. An edit gives it a new number, so that the kernel's copy no longer counts. @internal */
+/**
+ * What one curve or surface is made of. An edit gives it a new number, so that the kernel's copy no longer counts.
+ * @internal
+ */
 export abstract class Held<K extends HoldingKernel = HoldingKernel> {
   id = 0;
   slot = 0;

@@ -27,8 +27,9 @@ export interface HermiteCurveOptions {
   /** Default "trigonometric". */
   space?: Space | undefined;
   /**
-   * ω in radians per unit of the parameter, one or one per segment. Default 2π/M for a closed trigonometric curve of M points,
-   * else 0: cubics. ω·length must be below 2π − 1e-6 in the trigonometric space, at most 1e4 in the hyperbolic one.
+   * ω in radians per unit of the parameter, one or one per segment. Default 2π/M for a closed trigonometric curve of M
+   * points, else 0: cubics. ω·length must be below 2π − 1e-6 in the trigonometric space, at most 1e4 in the hyperbolic
+   * one.
    */
   omega?: number | Float64Array | readonly number[] | undefined;
   /** Parameter length, one for all segments or one per segment. Default 1. */
@@ -74,7 +75,9 @@ export function checked(op: string, options: unknown): CurveData {
   return data;
 }
 
-/** Equal lengths as the engine gives them: one for all, and none where all are 1. The same curve is then the same data. */
+/**
+ * Equal lengths as the engine gives them: one for all, and none where all are 1. The same curve is then the same data.
+ */
 function shortest(lengths: Floats): Floats {
   const [first] = lengths;
   return lengths.every((length) => length === first) ? lengths.slice(0, first === 1 ? 0 : 1) : lengths;
@@ -95,7 +98,9 @@ export function asMany(data: CurveData, arg: string, value: unknown): Floats {
   return sameLength(arg, arg, checkPoints(arg, arg, value), data.points.length);
 }
 
-/** One number for all segments, or one for each, or nothing; finite and not −0, and the rest is for the kernel to say. */
+/**
+ * One number for all segments, or one for each, or nothing; finite and not −0, and the rest is for the kernel to say.
+ */
 function perSegment(op: string, arg: string, value: unknown, segments: number): Floats {
   if (value === undefined) return new Float64Array();
   if (typeof value === "number") return Float64Array.of(finite(op, arg, value) + 0);

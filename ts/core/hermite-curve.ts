@@ -46,7 +46,8 @@ export class HermiteCurve extends MeasuredCurve {
   /**
    * An ellipse from `count` points, exact for every count from 2 up.
    *
-   * @throws {ExplineError} E_TOO_FEW_POINTS for a `count` below 2, E_LIMIT above 1,000,000; E_RANGE of `radii` that are not above 0.
+   * @throws {ExplineError} E_TOO_FEW_POINTS for a `count` below 2, E_LIMIT above 1,000,000; E_RANGE of `radii` that are
+   *   not above 0.
    * @example
    * ```js
    * const circle = HermiteCurve.ellipse({ center: [120, 120], radii: [80, 80], count: 2 });
@@ -63,7 +64,8 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /**
-   * An open arc of an ellipse: from angle `start` over `sweep`, in radians from the first axis; negative runs backwards.
+   * An open arc of an ellipse: from angle `start` over `sweep`, in radians from the first axis; negative runs
+   * backwards.
    *
    * @throws {ExplineError} E_DEGENERATE of a `sweep` of 0, E_RANGE beyond ±2π.
    */
@@ -80,10 +82,11 @@ export class HermiteCurve extends MeasuredCurve {
   /**
    * The smooth curve through points: twice continuously differentiable wherever such a curve exists.
    *
-   * `closed` defaults to true, `space` to "trigonometric", `omega` to that of the constructor: points that lie evenly on an
-   * ellipse then give the ellipse.
+   * `closed` defaults to true, `space` to "trigonometric", `omega` to that of the constructor: points that lie evenly
+   * on an ellipse then give the ellipse.
    *
-   * @throws {ExplineError} E_TOO_FEW_POINTS below two points, E_LIMIT above 1,000,000; E_RANGE of `omega` that the space does not have.
+   * @throws {ExplineError} E_TOO_FEW_POINTS below two points, E_LIMIT above 1,000,000; E_RANGE of `omega` that the
+   *   space does not have.
    * @example
    * ```js
    * const wave = HermiteCurve.through([[0, 0], [10, 8], [20, 0], [30, -8]], { closed: false });
@@ -171,8 +174,8 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /**
-   * Sets dr/dt at point i, per unit of the parameter, on one side or, by default, on both. A cubic's handle is a third of it, times the length of the
-   * segment.
+   * Sets dr/dt at point i, per unit of the parameter, on one side or, by default, on both. A cubic's handle is a third
+   * of it, times the length of the segment.
    *
    * @throws {ExplineError} E_RANGE of an `i` that is no point's, of numbers beyond ±8e9, and of any other `side`.
    */
@@ -189,7 +192,8 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /**
-   * The same curve with `arity` segments, by default 2, in place of each; the parameter stays, the end of the domain to a rounding.
+   * The same curve with `arity` segments, by default 2, in place of each; the parameter stays, the end of the domain to
+   * a rounding.
    *
    * @throws {ExplineError} E_RANGE of an `arity` below 1, E_LIMIT where there would be more than 4,000,000 points.
    */
@@ -201,8 +205,8 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /**
-   * The same curve with one more point, at parameter t: in segment k it becomes point k + 1. Every place keeps its parameter. Where a point
-   * is already, none is added.
+   * The same curve with one more point, at parameter t: in segment k it becomes point k + 1. Every place keeps its
+   * parameter. Where a point is already, none is added.
    *
    * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve.
    */
@@ -214,9 +218,9 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /**
-   * The curve without point i: its neighbours' tangents keep their directions and get lengths with which the shape changes nearly as little as it
-   * can. `maxError` is by how much it changed, measured at 97 places of each segment and on from there to where it is largest. An end of an open
-   * curve goes with its segment.
+   * The curve without point i: its neighbours' tangents keep their directions and get lengths with which the shape
+   * changes nearly as little as it can. `maxError` is by how much it changed, measured at 97 places of each segment and
+   * on from there to where it is largest. An end of an open curve goes with its segment.
    *
    * @throws {ExplineError} E_RANGE of an `i` that is no point's; E_TOO_FEW_POINTS where only two points are left.
    * @example
@@ -235,8 +239,8 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /**
-   * The two parts of an open curve, cut at t, or the curve alone where t is one of its ends; a closed curve gives one, opened at t. Their
-   * parameters begin at 0.
+   * The two parts of an open curve, cut at t, or the curve alone where t is one of its ends; a closed curve gives one,
+   * opened at t. Their parameters begin at 0.
    *
    * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve.
    */
@@ -248,11 +252,11 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /**
-   * The part from parameter t0 to t1, open. On a closed curve it runs forward from t0 to the next place where t is t1, across the start if need
-   * be: all the way round where both are one place, and never further.
+   * The part from parameter t0 to t1, open. On a closed curve it runs forward from t0 to the next place where t is t1,
+   * across the start if need be: all the way round where both are one place, and never further.
    *
-   * @throws {ExplineError} E_DEGENERATE of a `t1` that is less than 1e-12 beyond `t0`, on an open curve also before it; E_RANGE of parameters outside the
-   *   domain of an open curve.
+   * @throws {ExplineError} E_DEGENERATE of a `t1` that is less than 1e-12 beyond `t0`, on an open curve also before it;
+   *   E_RANGE of parameters outside the domain of an open curve.
    */
   trim(t0: number, t1: number): HermiteCurve {
     const op = "trim";
@@ -269,9 +273,11 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /**
-   * The image under x′ = a·x + c·y + e, y′ = b·x + d·y + f, the order of SVG's `matrix(a b c d e f)`; exact to rounding.
+   * The image under x′ = a·x + c·y + e, y′ = b·x + d·y + f, the order of SVG's `matrix(a b c d e f)`; exact to
+   * rounding.
    *
-   * @throws {ExplineError} E_LENGTH of a `matrix` that has not 6 numbers; E_RANGE of one that takes a point beyond ±1e9.
+   * @throws {ExplineError} E_LENGTH of a `matrix` that has not 6 numbers; E_RANGE of one that takes a point beyond
+   *   ±1e9.
    */
   transform(matrix: MatrixLike): HermiteCurve {
     const op = "transform";
@@ -286,9 +292,11 @@ export class HermiteCurve extends MeasuredCurve {
   /**
    * The polygon after `levels` steps of a subdivision scheme, x and y in turn.
    *
-   * `arity` defaults to 2; `scheme` "hermite" (the default) has its points on the curve, "scalar" near it. At most 24 levels.
+   * `arity` defaults to 2; `scheme` "hermite" (the default) has its points on the curve, "scalar" near it. At most 24
+   * levels.
    *
-   * @throws {ExplineError} E_RANGE of `levels` outside 0 to 24, E_LIMIT where there would be more than 4,000,000 points.
+   * @throws {ExplineError} E_RANGE of `levels` outside 0 to 24, E_LIMIT where there would be more than 4,000,000
+   *   points.
    */
   subdivide(
     levels: number,
@@ -309,7 +317,10 @@ export class HermiteCurve extends MeasuredCurve {
     return copy(dataOf(this, op).ask(op, (kernel, slot) => kernel.bezier_points(slot)));
   }
 
-  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
+  /**
+   * The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the
+   * last bit, of up to a million points.
+   */
   toJSON(): HermiteCurveJSON {
     return curveJSON(dataOf(this, "toJSON"));
   }

@@ -11,7 +11,8 @@ const GENERATORS = "HermiteGenerators";
 let own: (generators: HermiteGenerators, op: string) => { omega: number; space: number };
 
 /**
- * The pair φ₁, φ₂ that interpolates values and first derivatives at the integers: r(t) = Σ r(n)·φ₁(t − n) + r′(n)·φ₂(t − n).
+ * The pair φ₁, φ₂ that interpolates values and first derivatives at the integers: r(t) = Σ
+ * r(n)·φ₁(t − n) + r′(n)·φ₂(t − n).
  *
  * A value without state in the engine; every method may be called at any time.
  */
@@ -32,8 +33,8 @@ export class HermiteGenerators {
   }
 
   /**
-   * The generators for `omega` radians per unit: below 2π − 1e-6 in the trigonometric space, which is the default, at most 1e4
-   * in the others; 0 is the cubic case.
+   * The generators for `omega` radians per unit: below 2π − 1e-6 in the trigonometric space, which is the default, at
+   * most 1e4 in the others; 0 is the cubic case.
    *
    * @throws {ExplineError} E_RANGE of any other `omega`.
    */
@@ -65,15 +66,18 @@ export class HermiteGenerators {
     return { phi1: both.slice(0, both.length / 2), phi2: both.slice(both.length / 2) };
   }
 
-  /** The four functions of the Bernstein basis, or their derivative of order 1 or 2, at every x in [0, 1]: four numbers each. */
+  /**
+   * The four functions of the Bernstein basis, or their derivative of order 1 or 2, at every x in [0, 1]: four numbers
+   * each.
+   */
   bernstein(x: number | Float64Array | readonly number[], derivative: 0 | 1 | 2 = 0): Float64Array {
     const order = integer("bernstein", "derivative", derivative, 0, 2);
     return at(this, "bernstein", x, (kernel, w, s, count) => kernel.generators_bernstein(w, s, count, order));
   }
 
   /**
-   * The refinement masks H[n], n = −(arity − 1) … arity − 1, from the grid of step arity^−level to the next: four numbers each, row
-   * by row, acting on columns (value, derivative).
+   * The refinement masks H[n], n = −(arity − 1) … arity − 1, from the grid of step arity^−level to the next: four
+   * numbers each, row by row, acting on columns (value, derivative).
    *
    * @throws {ExplineError} E_RANGE of an `arity` below 2, and of a `level` outside 0 to 24.
    */
@@ -89,7 +93,10 @@ export class HermiteGenerators {
     return { a: result(0), b: result(1), c: result(2), d: result(3), e: result(4) };
   }
 
-  /** The largest `lower` and smallest `upper` with lower·‖a‖ ≤ ‖r‖ ≤ upper·‖a‖ for values and derivatives a; not squared. */
+  /**
+   * The largest `lower` and smallest `upper` with lower·‖a‖ ≤ ‖r‖ ≤ upper·‖a‖ for values and derivatives a; not
+   * squared.
+   */
   rieszBounds(): { lower: number; upper: number } {
     run(this, "rieszBounds", (kernel, w, s) => kernel.generators_gram(w, s));
     return { lower: result(5), upper: result(6) };

@@ -1,9 +1,15 @@
-/** Types of the host, said so that a project that declares no browser, or whose TypeScript is of version 5.0, can read the package's declarations as well. */
+/**
+ * Types of the host, said so that a project that declares no browser, or whose TypeScript is of version 5.0, can read
+ * the package's declarations as well.
+ */
 
 /** Bytes, in whatever holds them. */
 export type Bytes = ArrayBuffer | ArrayBufferView;
 
-/** Bytes that nobody else holds: `Uint8Array<ArrayBuffer>` where typed arrays say what they lie on, `Uint8Array` before TypeScript 5.7. */
+/**
+ * Bytes that nobody else holds: `Uint8Array<ArrayBuffer>` where typed arrays say what they lie on, `Uint8Array` before
+ * TypeScript 5.7.
+ */
 export type OwnBytes = ReturnType<typeof Uint8Array.of>;
 
 /** Numbers that nobody else holds, in the same way. */

@@ -28,8 +28,8 @@ const enum Failure {
 /**
  * Runs one function of an engine and returns how many numbers it left in the output.
  *
- * Whatever else comes out of it than an answer ends the instance. `given` is the array that an error's index points into, or the number that
- * stands alone and has none.
+ * Whatever else comes out of it than an answer ends the instance. `given` is the array that an error's index points
+ * into, or the number that stands alone and has none.
  * @internal
  */
 export function callOf<K extends AnyKernel>(
@@ -77,7 +77,9 @@ function writeTo<K extends AnyKernel>(to: Engine<K>, op: string, arrays: readonl
 export interface Door<K extends AnyKernel> {
   /** The living instance; where there is none, one is started for the operation. */
   instance(op?: string): Instance<K>;
-  /** Runs one function, on what lies in a slot if it is about one, and returns how many numbers it left in the output. */
+  /**
+   * Runs one function, on what lies in a slot if it is about one, and returns how many numbers it left in the output.
+   */
   call(op: string, body: (kernel: K, slot: number) => number, given?: Given, slot?: number): number;
   /** Number i of the record of scalar results. */
   result(i: number): number;

@@ -22,14 +22,15 @@ export interface PathWarning {
 const MAX_PATH = 8 << 20;
 
 /**
- * Every subpath of SVG path data that draws something as a curve, exactly: lines, cubics, raised quadratics, arcs of ellipses. Segments of no
- * extent are left out, and so is a subpath of nothing else: a dot that only a round line cap would show.
+ * Every subpath of SVG path data that draws something as a curve, exactly: lines, cubics, raised quadratics, arcs of
+ * ellipses. Segments of no extent are left out, and so is a subpath of nothing else: a dot that only a round line cap
+ * would show.
  *
  * @param d - the text of a `d` attribute, at most 8 MiB with at most 100 000 subpaths. No text gives no curves.
  * @param options - with `onWarning` a text that breaks off after its first point gives what came before, and a warning.
- * @throws {ExplineError} E_PARSE_SVG with `index`, the offset of the first character that makes no sense, and `partial`, the
- *   curves before it; without `partial`, and in spite of `onWarning`, for what does not begin with a moveto to a point: that is
- *   no path. E_RANGE for numbers beyond ±1e9; E_LIMIT.
+ * @throws {ExplineError} E_PARSE_SVG with `index`, the offset of the first character that makes no sense, and
+ *   `partial`, the curves before it; without `partial`, and in spite of `onWarning`, for what does not begin with a
+ *   moveto to a point: that is no path. E_RANGE for numbers beyond ±1e9; E_LIMIT.
  */
 export function parsePath(
   d: string,

@@ -1,6 +1,9 @@
 /** Text as bytes and back, also where the host has no `TextEncoder`: jsdom, and with it many a test of a page. */
 
-/** One byte for each character, all of which are below 256 and so much larger than their bytes, around the end. @internal */
+/**
+ * One byte for each character, all of which are below 256 and so much larger than their bytes, around the end.
+ * @internal
+ */
 export function latin(text: string, shift = 0): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(text, (letter) => letter.charCodeAt(0) - shift);
 }

@@ -57,10 +57,11 @@ interface HitCurve extends Found {
 const CURVE_REACH = 0.6;
 
 /**
- * What lies under a place of the plane: of points and handles the nearest within `reach`, a point before a handle at the same place; or
- * else the nearest curve within `curveReach`; or undefined. Handles of no length are hidden under their point and never found.
- * Costs a comparison for every curve; for those whose box is within reach also one for every point, and a `nearest`. The boxes of a curve
- * are made when it is first looked at, and anew when it has been changed.
+ * What lies under a place of the plane: of points and handles the nearest within `reach`, a point before a handle at
+ * the same place; or else the nearest curve within `curveReach`; or undefined. Handles of no length are hidden under
+ * their point and never found. Costs a comparison for every curve; for those whose box is within reach also one for
+ * every point, and a `nearest`. The boxes of a curve are made when it is first looked at, and anew when it has been
+ * changed.
  *
  * @throws {ExplineError} E_TYPE for what is no curve of the plane; E_RANGE of a `reach` below 0.
  */
@@ -135,7 +136,9 @@ interface Best {
   distance: number;
 }
 
-/** How far a place is from another, where that may be nearer than the best: nearly all are refused by two comparisons. */
+/**
+ * How far a place is from another, where that may be nearer than the best: nearly all are refused by two comparisons.
+ */
 function nearer({ hit, distance: least }: Best, [x, y]: Place, u: number, v: number): number | undefined {
   if (!(Math.abs(u - x) <= least && Math.abs(v - y) <= least)) return undefined;
   const away = Math.hypot(u - x, v - y);
@@ -184,7 +187,10 @@ function everyHandle(op: string, data: CurveData, shown: unknown, at: Place, bes
   }
 }
 
-/** The handles of a point that have a length, from the curve's own lists: with every handle of every curve shown, copies of them are what takes the time. */
+/**
+ * The handles of a point that have a length, from the curve's own lists: with every handle of every curve shown, copies
+ * of them are what takes the time.
+ */
 function handleEnds({ points, tangents, tangentsIn, lengths, segments, closed }: CurveData, index: number, look: (side: HandleSide, x: number, y: number) => void): void {
   const arriving = tangentsIn.length === 0 ? tangents : tangentsIn;
   const [x = 0, y = 0] = [points[2 * index], points[2 * index + 1]];

@@ -32,7 +32,10 @@ export interface PointOfCurve {
   readonly out: SideOfPoint;
 }
 
-/** What is no curve of this copy of the package; one of another, as `expline/slim` is beside `expline`, looks as if it were. */
+/**
+ * What is no curve of this copy of the package; one of another, as `expline/slim` is beside `expline`, looks as if it
+ * were.
+ */
 export function notCurve(op: string, arg: string, value: unknown, bound: string, index?: number): ExplineError {
   if (!isForeign(value)) return wrong("E_TYPE", op, arg, value, bound, index);
   const argument = index === undefined ? arg : `${arg}[${index}]`;
@@ -47,7 +50,10 @@ function isForeign(value: unknown): boolean {
   }
 }
 
-/** Every point of a curve, by its number; a number that is not one throws. The curve's lists are copied once for all of them. */
+/**
+ * Every point of a curve, by its number; a number that is not one throws. The curve's lists are copied once for all of
+ * them.
+ */
 export function pointsOf(op: string, curve: HermiteCurve): (i: unknown, arg?: string) => PointOfCurve {
   if (!(curve instanceof HermiteCurve)) throw notCurve(op, "curve", curve, "a HermiteCurve");
   const { points, tangents, tangentsIn, lengths, closed } = curve;
@@ -109,7 +115,10 @@ function straight(from: PointOfCurve, side: HandleSide, end: PointOfCurve): bool
   return (x !== 0 || y !== 0) && along(from[side].tangent) && along(end[opposite(side)].tangent);
 }
 
-/** Gives sides of points new tangents, their other sides what the joints ask; nothing is set before all of it has been checked. */
+/**
+ * Gives sides of points new tangents, their other sides what the joints ask; nothing is set before all of it has been
+ * checked.
+ */
 export function turn(op: string, curve: HermiteCurve, changes: readonly Turn[]): void {
   const tangents: [number, Place, HandleSide][] = [];
   for (const [point, side, tangent, joint] of changes) {

@@ -10,9 +10,10 @@ export type FitKernel = InitOutput;
 const fits: Engine<FitKernel> = { op: "initFit", mark: "fit_open", bytes: wasmBytes, address: wasmAddress };
 
 /**
- * Loads the engine for fitting early, or from elsewhere. Not needed before the first fit: without it the wasm inside the package is
- * compiled when it is first used. `expline/slim` needs it before `fitSparse`; `fitSparseAsync` waits for it by itself. The curves that come out
- * are Hermite curves: whatever is asked of them, but for their data, needs `init()` as well there.
+ * Loads the engine for fitting early, or from elsewhere. Not needed before the first fit: without it the wasm inside
+ * the package is compiled when it is first used. `expline/slim` needs it before `fitSparse`; `fitSparseAsync` waits for
+ * it by itself. The curves that come out are Hermite curves: whatever is asked of them, but for their data, needs
+ * `init()` as well there.
  *
  * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
  */
@@ -20,7 +21,9 @@ export function initFit(options?: InitOptions): Promise<void> {
   return begin(fits, options);
 }
 
-/** Starts the engine for fitting from bytes or from a module, without waiting; changes nothing where one runs already. */
+/**
+ * Starts the engine for fitting from bytes or from a module, without waiting; changes nothing where one runs already.
+ */
 export function initFitSync(options: InitSyncOptions): void {
   beginSync(fits, "initFitSync", options);
 }
@@ -53,8 +56,8 @@ export interface Question {
 }
 
 /**
- * A fit in the engine: its data are kept here, so that an instance that dies takes nothing along. A run that was under way in it
- * begins anew.
+ * A fit in the engine: its data are kept here, so that an instance that dies takes nothing along. A run that was under
+ * way in it begins anew.
  * @internal
  */
 export class Resident {

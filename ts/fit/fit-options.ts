@@ -12,28 +12,39 @@ export interface FitProgress {
 }
 
 /**
- * How strongly a fit is simplified: one of the three, or none, and the noise of the data decides. λ and `smoothing` are a convex problem with a
- * certified optimum; a tolerance, and the noise, are a search for the fewest knots, which the options about the optimum do not concern.
+ * How strongly a fit is simplified: one of the three, or none, and the noise of the data decides. λ and `smoothing` are
+ * a convex problem with a certified optimum; a tolerance, and the noise, are a search for the fewest knots, which the
+ * options about the optimum do not concern.
  *
- * But for λ, the curve also keeps to long straight sides of which the points are only the ends, as in flattened outlines: where a step is more than
- * four times as long as most of the twelve around it, further points are put on it. For a smoothing that is so unless `parameters`, `weights` or
- * `robust` are given; with `robust`, none are put where points are far off all others. Distances are those of the given points.
+ * But for λ, the curve also keeps to long straight sides of which the points are only the ends, as in flattened
+ * outlines: where a step is more than four times as long as most of the twelve around it, further points are put on it.
+ * For a smoothing that is so unless `parameters`, `weights` or `robust` are given; with `robust`, none are put where
+ * points are far off all others. Distances are those of the given points.
  *
- * A polygon by its vertices comes back as that polygon: with a tolerance, or without any strength on a closed curve, steps that turn by more than 50°
- * at both ends, and are long beside the tolerance or the noise, are sides as well where most are such (of up to 500 points, with `corners`).
+ * A polygon by its vertices comes back as that polygon: with a tolerance, or without any strength on a closed curve,
+ * steps that turn by more than 50° at both ends, and are long beside the tolerance or the noise, are sides as well
+ * where most are such (of up to 500 points, with `corners`).
  *
- * Fewer than nine points tell nothing about noise, nor do up to 500 where half turn by the same sharp angle (from 64 on, where they are no staircase),
- * or fewer than 64 that noise would have moved by a seventh of a closed drawing: without any strength the curve goes through them.
+ * Fewer than nine points tell nothing about noise, nor do up to 500 where half turn by the same sharp angle (from 64
+ * on, where they are no staircase), or fewer than 64 that noise would have moved by a seventh of a closed drawing:
+ * without any strength the curve goes through them.
  */
 export interface SparseFitStrength {
-  /** The λ of the papers, in the unit of the data, 0 to 1e12: one for each degree, so that a pair of them, as is the default, takes a pair. */
+  /**
+   * The λ of the papers, in the unit of the data, 0 to 1e12: one for each degree, so that a pair of them, as is the
+   * default, takes a pair.
+   */
   lambda?: number | readonly [number, number] | undefined;
-  /** Instead of lambda: 0 … 1, the same meaning for any size of picture, however it is turned, and for any number of points. */
+  /**
+   * Instead of lambda: 0 … 1, the same meaning for any size of picture, however it is turned, and for any number of
+   * points.
+   */
   smoothing?: number | undefined;
   /**
-   * Instead of lambda, 0 to 1e9: the fewest knots whose curve is nowhere farther than this from a point, in their unit. The curve keeps to the way of the points, too: as a rule
-   * it is no farther from it than this and half of their distance from one another. To make a curve simpler, fit its `sampleByLength`: the vertices
-   * that `flatten` gives lie far apart where it is nearly straight. Below the noise it is a polyline with the fewest vertices, rounded off where
+   * Instead of lambda, 0 to 1e9: the fewest knots whose curve is nowhere farther than this from a point, in their unit.
+   * The curve keeps to the way of the points, too: as a rule it is no farther from it than this and half of their
+   * distance from one another. To make a curve simpler, fit its `sampleByLength`: the vertices that `flatten` gives lie
+   * far apart where it is nearly straight. Below the noise it is a polyline with the fewest vertices, rounded off where
    * `corners` allows none.
    */
   tolerance?: number | undefined;
@@ -41,7 +52,10 @@ export interface SparseFitStrength {
 
 /** A step after the optimum on the grid is found, with `lambda` or `smoothing`. */
 export type FitStep =
-  /** Knots that others can stand for go: neither the curve at the points nor the objective changes. Only grids finer than the points have such. */
+  /**
+   * Knots that others can stand for go: neither the curve at the points nor the objective changes. Only grids finer
+   * than the points have such.
+   */
   | "extreme"
   /** Neighbours on the grid that stand for one knot in between are joined. */
   | "merge"
@@ -55,30 +69,33 @@ export type FitStep =
 /** What {@link fitSparse} can be told. */
 export interface SparseFitOptions extends SparseFitStrength {
   /**
-   * 1 to 5; a pair fits the sum of two splines, straight pieces with corners and smooth ones. Default [1, 3]. With a tolerance, or without any
-   * strength, a pair means its higher degree: one spline with as smooth or as sharp a knot as each place needs. The curve of a degree above 3
-   * is written as cubics, see `deviation` of the result.
+   * 1 to 5; a pair fits the sum of two splines, straight pieces with corners and smooth ones. Default [1, 3]. With a
+   * tolerance, or without any strength, a pair means its higher degree: one spline with as smooth or as sharp a knot as
+   * each place needs. The curve of a degree above 3 is written as cubics, see `deviation` of the result.
    */
   degree?: number | readonly [number, number] | undefined;
-  /** Of a pair of degrees with `smoothing`, 0 to 1: 0 prefers straight pieces, 1 smooth ones. Default 0.5; ignored otherwise. */
+  /**
+   * Of a pair of degrees with `smoothing`, 0 to 1: 0 prefers straight pieces, 1 smooth ones. Default 0.5; ignored
+   * otherwise.
+   */
   mix?: number | undefined;
   /**
-   * Places where knots may begin, N, with `lambda` or `smoothing`: 1 to 65,536. Default: the number of points, at most 5000 for degree 1 and 2000 above.
-   * Where every λ is 0, more of them than there are points mean the default.
+   * Places where knots may begin, N, with `lambda` or `smoothing`: 1 to 65,536. Default: the number of points, at most
+   * 5000 for degree 1 and 2000 above. Where every λ is 0, more of them than there are points mean the default.
    * Ignored with a tolerance and without any strength.
    */
   gridSize?: number | undefined;
   /**
-   * How a jump is measured, with `lambda` or `smoothing`: "l2", the default, does not see how the picture is turned; "l1" treats x and y apart.
-   * Ignored with a tolerance and without any strength.
+   * How a jump is measured, with `lambda` or `smoothing`: "l2", the default, does not see how the picture is turned;
+   * "l1" treats x and y apart. Ignored with a tolerance and without any strength.
    */
   norm?: "l2" | "l1" | undefined;
   /** Whether the last point is followed by the first. Default true. */
   closed?: boolean | undefined;
   /**
-   * Whether sharp corners of the data are kept as they are. Default true: wherever a corner spares a knot. A number is the least turn of a corner,
-   * in radians, 0 to π: the curve is smooth where it turns less, for a knot or two more. Ignored with `lambda` and `smoothing`: a pair with
-   * degree 1 has corners there, degree 2 and above alone has none.
+   * Whether sharp corners of the data are kept as they are. Default true: wherever a corner spares a knot. A number is
+   * the least turn of a corner, in radians, 0 to π: the curve is smooth where it turns less, for a knot or two more.
+   * Ignored with `lambda` and `smoothing`: a pair with degree 1 has corners there, degree 2 and above alone has none.
    */
   corners?: boolean | number | undefined;
   /** Whether points far off the curve count for little: they are named in `outliers`. Default false. */
@@ -86,26 +103,39 @@ export interface SparseFitOptions extends SparseFitStrength {
   /** Standard deviation of the noise, in the unit of the points, 0 to 1e9. Default: estimated from them. */
   noise?: number | undefined;
   /**
-   * What is made of the optimum, with `lambda` or `smoothing`: "none" leaves it as it is, on its grid; "gridless" joins neighbouring knots and moves them between the places
-   * of the grid, to the optimum that no grid limits; "full", the default, also takes the bias out and drops knots that the error allows. Or the
-   * steps one by one, in whatever order: they are taken in that of {@link FitStep}. What each of them changed is in `changes`. Ignored with a
-   * tolerance and without any strength: there is no optimum then.
+   * What is made of the optimum, with `lambda` or `smoothing`: "none" leaves it as it is, on its grid; "gridless" joins
+   * neighbouring knots and moves them between the places of the grid, to the optimum that no grid limits; "full", the
+   * default, also takes the bias out and drops knots that the error allows. Or the steps one by one, in whatever order:
+   * they are taken in that of {@link FitStep}. What each of them changed is in `changes`. Ignored with a tolerance and
+   * without any strength: there is no optimum then.
    */
   finish?: "none" | "gridless" | "full" | readonly FitStep[] | undefined;
-  /** Parameters of the points, one each: none below the one before it, and not all the same. Default: as long as the way between them. */
+  /**
+   * Parameters of the points, one each: none below the one before it, and not all the same. Default: as long as the way
+   * between them.
+   */
   parameters?: Float64Array | readonly number[] | undefined;
-  /** Length of the parameter's period of a closed fit with `parameters`, beyond the last of them; refused without them. */
+  /**
+   * Length of the parameter's period of a closed fit with `parameters`, beyond the last of them; refused without them.
+   */
   period?: number | undefined;
   /** How much each point counts, one number from 1e-6 to 1e6 each. Default: all the same. */
   weights?: Float64Array | readonly number[] | undefined;
-  /** Relative duality gap at which to stop, 0 to 1, with `lambda` or `smoothing`. Default 1e-6. Ignored with a tolerance and without any strength. */
+  /**
+   * Relative duality gap at which to stop, 0 to 1, with `lambda` or `smoothing`. Default 1e-6. Ignored with a tolerance
+   * and without any strength.
+   */
   gap?: number | undefined;
   /**
-   * Steps at most, up to 100,000: of the solver with `lambda` or `smoothing`, 400 by default; of the search with a tolerance and without any strength,
-   * by default as many as it takes. What was found by then is given, with status "max_iterations".
+   * Steps at most, up to 100,000: of the solver with `lambda` or `smoothing`, 400 by default; of the search with a
+   * tolerance and without any strength, by default as many as it takes. What was found by then is given, with status
+   * "max_iterations".
    */
   maxIterations?: number | undefined;
-  /** Milliseconds, 0 or more, after which the best that was found so far is given, with status "deadline". Default: none. */
+  /**
+   * Milliseconds, 0 or more, after which the best that was found so far is given, with status "deadline". Default:
+   * none.
+   */
   deadline?: number | undefined;
   /** Ends the work: E_CANCELLED. A synchronous fit looks at it once, before it begins. */
   signal?: Signal | undefined;

@@ -12,8 +12,9 @@ export interface SparseKnot {
   /** Where the curve is there. */
   y: number;
   /**
-   * The order of the derivative that jumps: 1 is a corner. As `finish: "none"` and "gridless" leave the optimum, the degree of the component that it
-   * belongs to, and two components may have a knot at the same t; of one spline the lowest order that jumps.
+   * The order of the derivative that jumps: 1 is a corner. As `finish: "none"` and "gridless" leave the optimum, the
+   * degree of the component that it belongs to, and two components may have a knot at the same t; of one spline the
+   * lowest order that jumps.
    */
   degree: number;
   /** By how much the derivative of that order jumps. */
@@ -39,8 +40,8 @@ export type FitStatus =
   /** `maxIterations` came first: `gap` or `maxError` says how near the curve is that was found by then. */
   | "max_iterations"
   /**
-   * Rounding allows no smaller gap, and `gap` is what is certified; or no curve was found within `tolerance`, and `maxError` says how near this one
-   * is; or what was found led beyond ±1e9, and this is the points joined by lines.
+   * Rounding allows no smaller gap, and `gap` is what is certified; or no curve was found within `tolerance`, and
+   * `maxError` says how near this one is; or what was found led beyond ±1e9, and this is the points joined by lines.
    */
   | "stalled"
   /** `deadline` came first. */
@@ -52,14 +53,16 @@ export type FitStatus =
  */
 export interface SparseFit {
   /**
-   * The spline itself, exact up to degree 3. Splines of degree 4 and 5 come as cubics, as a rule within a billionth of the drawing's size;
-   * `deviation` is how far, and `coefficients` are the spline's own.
+   * The spline itself, exact up to degree 3. Splines of degree 4 and 5 come as cubics, as a rule within a billionth of
+   * the drawing's size; `deviation` is how far, and `coefficients` are the spline's own.
    */
   curve: HermiteCurve;
   /**
-   * Each component as a curve of its own, degrees 4 and 5 as cubics; their sum is `curve`, the last one having its place in the plane. Of a closed
-   * pair each begins at its own first knot: where `curve` is at t, it is at t less the `t` of the first of `knots` with its degree. Two only of a pair of degrees with `lambda` or `smoothing` whose
-   * `finish` leaves the bias in ("none", "gridless"): "full" makes one spline of both, and with a tolerance or without any strength there never are two.
+   * Each component as a curve of its own, degrees 4 and 5 as cubics; their sum is `curve`, the last one having its
+   * place in the plane. Of a closed pair each begins at its own first knot: where `curve` is at t, it is at t less the
+   * `t` of the first of `knots` with its degree. Two only of a pair of degrees with `lambda` or `smoothing` whose
+   * `finish` leaves the bias in ("none", "gridless"): "full" makes one spline of both, and with a tolerance or without
+   * any strength there never are two.
    */
   parts: HermiteCurve[];
   /** B-spline coefficients of each component on its knots, x and y in turn. */
@@ -67,28 +70,37 @@ export interface SparseFit {
   /** Where the components change, in the order of t. */
   knots: SparseKnot[];
   /**
-   * The parameter of each point's place on `curve`: nowhere around it is nearer, but for a step where a `gap` of 1e-3 or more was enough. Where the
-   * curve comes back to itself another part may be nearer; `curve.nearestAll` knows.
+   * The parameter of each point's place on `curve`: nowhere around it is nearer, but for a step where a `gap` of 1e-3
+   * or more was enough. Where the curve comes back to itself another part may be nearer; `curve.nearestAll` knows.
    */
   parameters: Float64Array;
   /** What was minimised: `dataTerm` + Σ λ·`regularizer`. */
   objective: number;
-  /** Sum of the weighted squares of the distances, of the optimum before it was made shorter; of the points put on long sides, too. */
+  /**
+   * Sum of the weighted squares of the distances, of the optimum before it was made shorter; of the points put on long
+   * sides, too.
+   */
   dataTerm: number;
   /** Σ λ·|jump|. */
   regularizer: number;
   /**
-   * The relative duality gap that is certified for the optimum before it was made shorter. 1, the gap to nothing at all, where no λ was
-   * involved: with a tolerance or without any strength, `maxError` is what is proved.
+   * The relative duality gap that is certified for the optimum before it was made shorter. 1, the gap to nothing at
+   * all, where no λ was involved: with a tolerance or without any strength, `maxError` is what is proved.
    */
   gap: number;
-  /** Mean square of the distances between the points and `curve` at the parameters that they were fitted at; `rms` is at `parameters`. */
+  /**
+   * Mean square of the distances between the points and `curve` at the parameters that they were fitted at; `rms` is at
+   * `parameters`.
+   */
   qfe: number;
-  /** No point is farther from the curve than this: proved. Of the curve between points that lie far apart it says nothing. */
+  /**
+   * No point is farther from the curve than this: proved. Of the curve between points that lie far apart it says
+   * nothing.
+   */
   maxError: number;
   /**
-   * Root of the mean square of the distances between the points and their places, at `parameters`; weighted, where they are, and with `robust` as
-   * the fit weighs them.
+   * Root of the mean square of the distances between the points and their places, at `parameters`; weighted, where they
+   * are, and with `robust` as the fit weighs them.
    */
   rms: number;
   /** How far `curve` may be from the spline: 0 up to degree 3, proved above. `maxError` has it in it. */

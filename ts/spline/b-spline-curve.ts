@@ -19,8 +19,8 @@ export interface BSplineCurveOptions {
   /** The parameter of control point 0. Default 0. */
   offset?: number | undefined;
   /**
-   * Both ends of the parameter, within 1e-12 of what step and offset say. Default: just that; but a curve that was refined keeps its
-   * `domain` to the last bit, which no rounded step can.
+   * Both ends of the parameter, within 1e-12 of what step and offset say. Default: just that; but a curve that was
+   * refined keeps its `domain` to the last bit, which no rounded step can.
    */
   domain?: readonly [number, number] | undefined;
 }
@@ -49,8 +49,8 @@ export interface BSplineCurveJSON {
 }
 
 /**
- * A curve that weighs its control points by exponential B-splines, each divided by its integral: they lie near the curve, and the
- * finer the grid the nearer.
+ * A curve that weighs its control points by exponential B-splines, each divided by its integral: they lie near the
+ * curve, and the finer the grid the nearer.
  */
 export class BSplineCurve extends SplineCurve {
   /** Bundles shorten names: this one is what a console shows. @internal */
@@ -88,10 +88,12 @@ export class BSplineCurve extends SplineCurve {
   }
 
   /**
-   * The curve on the grid that is coarser by m, by default 2, whose refinement has the control points nearest to these, and the largest distance
-   * between the two, parameter by parameter, to about 3e-3 of itself: 0 to rounding where nothing was changed since `refine(m)`.
+   * The curve on the grid that is coarser by m, by default 2, whose refinement has the control points nearest to these,
+   * and the largest distance between the two, parameter by parameter, to about 3e-3 of itself: 0 to rounding where
+   * nothing was changed since `refine(m)`.
    *
-   * @throws {ExplineError} E_DEGENERATE of an m that does not divide the number of cells, E_RANGE of one outside 1 to 1024.
+   * @throws {ExplineError} E_DEGENERATE of an m that does not divide the number of cells, E_RANGE of one outside 1
+   *   to 1024.
    */
   reduce(m = 2): { curve: BSplineCurve; maxError: number } {
     const op = "reduce";
@@ -102,16 +104,21 @@ export class BSplineCurve extends SplineCurve {
   }
 
   /**
-   * The image under an affine map: of a plane curve x′ = a·x + c·y + e, y′ = b·x + d·y + f with the six numbers of SVG's `matrix(a b c d e f)`, of
-   * one in space that of a 4 × 4 matrix, 16 numbers column by column, whose last row is 0, 0, 0, 1. Exact to rounding.
+   * The image under an affine map: of a plane curve x′ = a·x + c·y + e, y′ = b·x + d·y + f with the six numbers of
+   * SVG's `matrix(a b c d e f)`, of one in space that of a 4 × 4 matrix, 16 numbers column by column, whose last row is
+   * 0, 0, 0, 1. Exact to rounding.
    *
-   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots: no points make the image then.
+   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots: no points make
+   *   the image then.
    */
   transform(matrix: MatrixLike): BSplineCurve {
     return bSplineOf(imageOf(this, matrix));
   }
 
-  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
+  /**
+   * The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the
+   * last bit, of up to a million points.
+   */
   toJSON(): BSplineCurveJSON {
     const data = splineOf(this, "toJSON");
     const { step, offset, start, end, extra } = data;

@@ -71,7 +71,10 @@ abstract class Exponential {
     return own(this, "order").roots.length / 2;
   }
 
-  /** Values, or those of a derivative of an order up to n₀ − 1, at every x; where a derivative jumps the limit from the right. */
+  /**
+   * Values, or those of a derivative of an order up to n₀ − 1, at every x; where a derivative jumps the limit from the
+   * right.
+   */
   evaluate(x: number | Float64Array | readonly number[], derivative = 0): Float64Array {
     const op = "evaluate";
     const source = own(this, op);
@@ -95,7 +98,9 @@ function filter(generator: Exponential, op: string, arg: string, factor: unknown
   return ask(source, op, what, integer(op, arg, factor, 1, MAX_FACTOR));
 }
 
-/** The B-spline β of a list of roots, centred: it vanishes outside [−n₀/2, n₀/2]. A value without state in the engine. */
+/**
+ * The B-spline β of a list of roots, centred: it vanishes outside [−n₀/2, n₀/2]. A value without state in the engine.
+ */
 export class ExponentialBSpline extends Exponential {
   /** Bundles shorten names: this one is what a console shows. @internal */
   static override readonly name = B_SPLINE;
@@ -103,10 +108,11 @@ export class ExponentialBSpline extends Exponential {
   /**
    * The B-spline of these roots.
    *
-   * @param roots - closed under conjugation, 1 to 16 of them, real parts up to ±20, imaginary parts up to ±10. Values and derivatives are
-   *   right to 1e-15 of their largest for real parts up to 96 divided by the number of roots; a few larger ones among many others
-   *   lose digits, and all of them in cases as 14 times 0 and ±20, which are refused.
-   * @throws {ExplineError} E_DEGENERATE naming the root whose conjugate is missing; E_LIMIT for more than 16, E_RANGE for one that is too large.
+   * @param roots - closed under conjugation, 1 to 16 of them, real parts up to ±20, imaginary parts up to ±10. Values
+   *   and derivatives are right to 1e-15 of their largest for real parts up to 96 divided by the number of roots; a few
+   *   larger ones among many others lose digits, and all of them in cases as 14 times 0 and ±20, which are refused.
+   * @throws {ExplineError} E_DEGENERATE naming the root whose conjugate is missing; E_LIMIT for more than 16, E_RANGE
+   *   for one that is too large.
    */
   constructor(roots: readonly Root[]) {
     const source = { roots: rootNumbers(B_SPLINE, roots), kind: Kind.Spline };
@@ -115,8 +121,8 @@ export class ExponentialBSpline extends Exponential {
   }
 
   /**
-   * The taps h of β⁺(t/m) = Σ h[k]·β⁺(t − k) with the fine roots α/m on the right, k = 0 … n₀(m − 1). With `affine` those of
-   * B-splines that are divided by their integrals: translating control points then translates the finer ones.
+   * The taps h of β⁺(t/m) = Σ h[k]·β⁺(t − k) with the fine roots α/m on the right, k = 0 … n₀(m − 1). With `affine`
+   * those of B-splines that are divided by their integrals: translating control points then translates the finer ones.
    *
    * @throws {ExplineError} E_RANGE of an `m` outside 1 to 1024.
    */
@@ -139,8 +145,8 @@ export class Interpolator extends Exponential {
   /**
    * The interpolator of these roots.
    *
-   * @param roots - closed under conjugation and negation, 3 to 16 of them, real parts up to ±20, imaginary parts below π, or, where it exists, up to
-   *   10 with `beyondPi`.
+   * @param roots - closed under conjugation and negation, 3 to 16 of them, real parts up to ±20, imaginary parts below
+   *   π, or, where it exists, up to 10 with `beyondPi`.
    * @throws {ExplineError} E_DEGENERATE where there is no interpolator, naming the root where one is at fault.
    */
   constructor(roots: readonly Root[], options?: { beyondPi?: boolean | undefined }) {

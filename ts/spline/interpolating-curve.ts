@@ -15,8 +15,8 @@ export interface InterpolatingCurveOptions {
   /** Whether the last point is joined to the first. Default true. */
   closed?: boolean | undefined;
   /**
-   * Roots per unit of the parameter, with their conjugates and opposites. Default: 0 and ±2πi/M of a closed curve of M points, which keep
-   * ellipses; four times 0, which keep cubics, of an open one.
+   * Roots per unit of the parameter, with their conjugates and opposites. Default: 0 and ±2πi/M of a closed curve of M
+   * points, which keep ellipses; four times 0, which keep cubics, of an open one.
    */
   roots?: readonly Root[] | undefined;
 }
@@ -39,8 +39,8 @@ export interface InterpolatingCurveJSON {
 }
 
 /**
- * A curve through its points, point i at parameter i. With n₀ roots it has n₀ − 2 continuous derivatives, and a point acts on n₀ − 1
- * segments to each side, on nothing else.
+ * A curve through its points, point i at parameter i. With n₀ roots it has n₀ − 2 continuous derivatives, and a point
+ * acts on n₀ − 1 segments to each side, on nothing else.
  *
  * It is right to 1e-14 of the points' size, times 1 + Σ|λ|; the ends of an open curve with 0 and large real roots ±a to
  * 1e-16·e^((n₀ − 3)a), which is 2e-11 for 0, 0, ±12, and what `refine` makes of them to a hundred times that.
@@ -63,7 +63,8 @@ export class InterpolatingCurve extends SplineCurve {
    *
    * `m0`, even, and `m` default to 2; both are at most 1024.
    *
-   * @throws {ExplineError} E_RANGE of `levels` outside 1 to 24, E_DEGENERATE of an odd `m0`, E_LIMIT where there would be more than 4,000,000 points.
+   * @throws {ExplineError} E_RANGE of `levels` outside 1 to 24, E_DEGENERATE of an odd `m0`, E_LIMIT where there would
+   *   be more than 4,000,000 points.
    * @example
    * ```js
    * const blob = new InterpolatingCurve({ points: [0, 0, 90, 20, 100, 110, 20, 90] });
@@ -87,10 +88,11 @@ export class InterpolatingCurve extends SplineCurve {
   }
 
   /**
-   * The interpolating curve through the points that a B-spline curve has at the integers, and the largest distance between the
-   * two: 0 to rounding where nothing was changed since `refine`.
+   * The interpolating curve through the points that a B-spline curve has at the integers, and the largest distance
+   * between the two: 0 to rounding where nothing was changed since `refine`.
    *
-   * @throws {ExplineError} E_TYPE for a curve of another kind; E_DEGENERATE of `step` where the grid is no even part of a unit from 0 on, or one that no factors to 1024 make.
+   * @throws {ExplineError} E_TYPE for a curve of another kind; E_DEGENERATE of `step` where the grid is no even part of
+   *   a unit from 0 on, or one that no factors to 1024 make.
    */
   static from(curve: BSplineCurve): { curve: InterpolatingCurve; maxError: number } {
     const op = "InterpolatingCurve.from";
@@ -100,16 +102,21 @@ export class InterpolatingCurve extends SplineCurve {
   }
 
   /**
-   * The image under an affine map: of a plane curve x′ = a·x + c·y + e, y′ = b·x + d·y + f with the six numbers of SVG's `matrix(a b c d e f)`, of
-   * one in space that of a 4 × 4 matrix, 16 numbers column by column, whose last row is 0, 0, 0, 1. Exact to rounding.
+   * The image under an affine map: of a plane curve x′ = a·x + c·y + e, y′ = b·x + d·y + f with the six numbers of
+   * SVG's `matrix(a b c d e f)`, of one in space that of a 4 × 4 matrix, 16 numbers column by column, whose last row is
+   * 0, 0, 0, 1. Exact to rounding.
    *
-   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots: no points make the image then.
+   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots: no points make
+   *   the image then.
    */
   transform(matrix: MatrixLike): InterpolatingCurve {
     return interpolatingOf(imageOf(this, matrix));
   }
 
-  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
+  /**
+   * The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the
+   * last bit, of up to a million points.
+   */
   toJSON(): InterpolatingCurveJSON {
     const data = splineOf(this, "toJSON");
     return { type: "InterpolatingCurve", ...plain(data), ...data.extra };

@@ -57,8 +57,8 @@ const MAX_PATCHES = 4096;
 const MAX_NUMBERS = 12_000_000;
 
 /**
- * An interpolating curve with patches of finer control points where they are wanted. Making room changes no bit of the shape; moving a
- * point of the curve takes the detail along; dropping a patch takes its detail away.
+ * An interpolating curve with patches of finer control points where they are wanted. Making room changes no bit of the
+ * shape; moving a point of the curve takes the detail along; dropping a patch takes its detail away.
  */
 export class LocalCurve extends SplineCurve {
   /** Bundles shorten names: this one is what a console shows. @internal */
@@ -80,11 +80,11 @@ export class LocalCurve extends SplineCurve {
   }
 
   /**
-   * The same curve with a patch of all control points of the grid 2^−levels that lie within `reach` of t in the parameter; `levels`, from 1
-   * to 12, defaults to 2, `reach` to 1.
+   * The same curve with a patch of all control points of the grid 2^−levels that lie within `reach` of t in the
+   * parameter; `levels`, from 1 to 12, defaults to 2, `reach` to 1.
    *
-   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve, of `levels`, and of a `reach` outside 0 to 1e6; E_DEGENERATE of a
-   *   `reach` within which there is no control point.
+   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve, of `levels`, and of a `reach` outside 0
+   *   to 1e6; E_DEGENERATE of a `reach` within which there is no control point.
    */
   refineAt(t: number, options?: { levels?: number | undefined; reach?: number | undefined }): LocalCurve {
     return refinedAt(splineOf(this, "refineAt"), t, options);
@@ -131,16 +131,21 @@ export class LocalCurve extends SplineCurve {
   }
 
   /**
-   * The image under an affine map: of a plane curve x′ = a·x + c·y + e, y′ = b·x + d·y + f with the six numbers of SVG's `matrix(a b c d e f)`, of
-   * one in space that of a 4 × 4 matrix, 16 numbers column by column, whose last row is 0, 0, 0, 1. Exact to rounding; the patches come along.
+   * The image under an affine map: of a plane curve x′ = a·x + c·y + e, y′ = b·x + d·y + f with the six numbers of
+   * SVG's `matrix(a b c d e f)`, of one in space that of a 4 × 4 matrix, 16 numbers column by column, whose last row is
+   * 0, 0, 0, 1. Exact to rounding; the patches come along.
    *
-   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots: no points make the image then.
+   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots: no points make
+   *   the image then.
    */
   transform(matrix: MatrixLike): LocalCurve {
     return localOf(imageOf(this, matrix));
   }
 
-  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
+  /**
+   * The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the
+   * last bit, of up to a million points.
+   */
   toJSON(): LocalCurveJSON {
     const data = splineOf(this, "toJSON");
     const patches = data.patches.map(({ level, first, displacements }) => ({ level, first, displacements: Array.from(displacements) }));
@@ -163,7 +168,10 @@ export function localOf(data: SplineData): LocalCurve {
   return new LocalCurve(data as unknown as LocalCurveOptions);
 }
 
-/** The arrays of a curve that a caller or a file describes, checked: of an interpolating one, too, which has no patches. @internal */
+/**
+ * The arrays of a curve that a caller or a file describes, checked: of an interpolating one, too, which has no patches.
+ * @internal
+ */
 export function checkedLocal(op: string, options: unknown, kind = SplineKind.Local): SplineData {
   const names = ["points", "dimension", "closed", "roots", "patches"] as const;
   type Own = { readonly [name in (typeof names)[number]]?: unknown };

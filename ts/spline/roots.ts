@@ -25,7 +25,10 @@ export const roots = {
     return ellipseRoots("ellipse", count);
   },
 
-  /** Closed curves of `count` points, at least 2k + 1, whose coordinates are trigonometric polynomials up to order k, 0 to 7. */
+  /**
+   * Closed curves of `count` points, at least 2k + 1, whose coordinates are trigonometric polynomials up to order k, 0
+   * to 7.
+   */
   harmonics(count: number, k: number): Root[] {
     const n = integer("harmonics", "count", count, 0, 0xffffffff);
     const order = integer("harmonics", "k", k, 0, MAX_ROOTS);

@@ -1,4 +1,7 @@
-/** What interpolating and B-spline curves have in common: points on a grid, and the roots of the functions that weigh them. */
+/**
+ * What interpolating and B-spline curves have in common: points on a grid, and the roots of the functions that weigh
+ * them.
+ */
 import {
   type Floats,
   type HermiteCurve,
@@ -35,7 +38,9 @@ export function plain({ closed, dimension, points, roots }: SplineData): { versi
   return { version: 1, closed, dimension, points: Array.from(points), roots: rootList(roots) };
 }
 
-/** Points of the dimension that is asked for, or else that they show: triples and objects with z are in space. @internal */
+/**
+ * Points of the dimension that is asked for, or else that they show: triples and objects with z are in space. @internal
+ */
 export function anyPoints(op: string, value: unknown, dimension: unknown): { points: Floats; dimension: 2 | 3 } {
   const asked = dimension === undefined ? shownBy(value) : integer(op, "dimension", dimension, 2, 3);
   const axes = asked === 3 ? 3 : 2;
@@ -49,7 +54,11 @@ function shownBy(value: unknown): number {
   return isList ? (first as ArrayLike<unknown>).length : "z" in first ? 3 : 2;
 }
 
-/** Roots that may be left out: none at all are what the kernel takes for the default, so that an empty list must not get there. @internal */
+/**
+ * Roots that may be left out: none at all are what the kernel takes for the default, so that an empty list must not get
+ * there.
+ * @internal
+ */
 export function rootsOrDefault(op: string, value: unknown): Floats {
   if (value === undefined) return new Float64Array();
   const roots = rootNumbers(op, value);
@@ -106,11 +115,12 @@ export abstract class SplineCurve extends MeasuredCurve {
   }
 
   /**
-   * The same plane curve with points and tangents, which can `insert`, `remove`, `split`, `trim` and `reverse`. It is exact, and `maxError` 0, where the roots are 0 up to twice and one pair ±iω or
-   * ±k, or 0 up to four times; else it is made of cubics within `tolerance` (default 1e-9 of its size), and `maxError` is a
-   * proved bound. The parameter starts at 0 and stays: everywhere where it is exact; of cubics at the ends of the curve's own segments, between which
-   * places lie at other parameters than before. Where a tangent would be beyond ±1e9 or a segment shorter than 1e-12 it runs slower,
-   * by a power of 2.
+   * The same plane curve with points and tangents, which can `insert`, `remove`, `split`, `trim` and `reverse`. It is
+   * exact, and `maxError` 0, where the roots are 0 up to twice and one pair ±iω or ±k, or 0 up to four times; else it
+   * is made of cubics within `tolerance` (default 1e-9 of its size), and `maxError` is a proved bound. The parameter
+   * starts at 0 and stays: everywhere where it is exact; of cubics at the ends of the curve's own segments, between
+   * which places lie at other parameters than before. Where a tangent would be beyond ±1e9 or a segment shorter than
+   * 1e-12 it runs slower, by a power of 2.
    *
    * @throws {ExplineError} E_DEGENERATE for a curve in space; E_RANGE of a `tolerance` that is not above 0.
    */

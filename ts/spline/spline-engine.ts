@@ -9,9 +9,10 @@ export type SplineKernel = InitOutput;
 const splines: Engine<SplineKernel> = { op: "initSpline", mark: "load_spline", bytes: wasmBytes, address: wasmAddress };
 
 /**
- * Loads the engine of interpolating and B-spline curves and of their generators early, or from elsewhere. Not needed before the first one:
- * without it the wasm inside the package is compiled when it is first used. `expline/slim` needs it before the first one, and `init()` as well
- * for what is a Hermite curve's: `toPathD`, `toPath2D`, `asEllipse`, and whatever is asked of `toHermite`'s curve.
+ * Loads the engine of interpolating and B-spline curves and of their generators early, or from elsewhere. Not needed
+ * before the first one: without it the wasm inside the package is compiled when it is first used. `expline/slim` needs
+ * it before the first one, and `init()` as well for what is a Hermite curve's: `toPathD`, `toPath2D`, `asEllipse`, and
+ * whatever is asked of `toHermite`'s curve.
  *
  * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
  */

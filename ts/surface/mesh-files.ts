@@ -8,7 +8,10 @@ export interface MeshFileOptions {
   rows?: number | undefined;
   /** Vertices in v, 64 by default. */
   cols?: number | undefined;
-  /** Name of the object; what is not a letter, digit, space, dot, underscore or hyphen becomes an underscore. Cut after 200 characters. */
+  /**
+   * Name of the object; what is not a letter, digit, space, dot, underscore or hyphen becomes an underscore. Cut after
+   * 200 characters.
+   */
   name?: string | undefined;
 }
 

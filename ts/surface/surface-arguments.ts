@@ -27,7 +27,10 @@ export interface Direction {
   count: number;
   /** Whether the last point is followed by the first. */
   closed: boolean;
-  /** 0, the default: points on the surface, one for each unit. k: B-spline control points near it, 2ᵏ for each unit. At most 12. */
+  /**
+   * 0, the default: points on the surface, one for each unit. k: B-spline control points near it, 2ᵏ for each unit. At
+   * most 12.
+   */
   level?: number | undefined;
 }
 

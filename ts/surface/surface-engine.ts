@@ -9,8 +9,9 @@ export type SurfaceKernel = InitOutput;
 const surfaces: Engine<SurfaceKernel> = { op: "initSurface", mark: "surface_load", bytes: wasmBytes, address: wasmAddress };
 
 /**
- * Loads the engine of surfaces early, or from elsewhere. Not needed before the first surface: without it the wasm inside the package is
- * compiled when it is first used. `expline/slim` needs it before the first surface, and nothing else for surfaces.
+ * Loads the engine of surfaces early, or from elsewhere. Not needed before the first surface: without it the wasm
+ * inside the package is compiled when it is first used. `expline/slim` needs it before the first surface, and nothing
+ * else for surfaces.
  *
  * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
  */
@@ -18,7 +19,9 @@ export function initSurface(options?: InitOptions): Promise<void> {
   return begin(surfaces, options);
 }
 
-/** Starts the engine of surfaces from bytes or from a module, without waiting; changes nothing where one runs already. */
+/**
+ * Starts the engine of surfaces from bytes or from a module, without waiting; changes nothing where one runs already.
+ */
 export function initSurfaceSync(options: InitSyncOptions): void {
   beginSync(surfaces, "initSurfaceSync", options);
 }

@@ -107,7 +107,10 @@ function withoutNormal(normals: Float64Array | Float32Array): number {
   return count;
 }
 
-/** Computes again what a control point of the net (`patch` −1) or of a patch touches, and says which part that is. @internal */
+/**
+ * Computes again what a control point of the net (`patch` −1) or of a patch touches, and says which part that is.
+ * @internal
+ */
 export function mend(op: string, surface: SurfaceData, value: unknown, patch: number, row: number, col: number): MeshRegion {
   const { grid, positions, normals } = targetOf(op, "mesh", value);
   const mesh = writable(op, "mesh", value);

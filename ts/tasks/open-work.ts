@@ -45,7 +45,10 @@ export class OpenWork<K extends AnyKernel> {
     this.number(op);
   }
 
-  /** The number in the living instance. Where that is a new one, the work is opened again, and `again` has a call of its own. */
+  /**
+   * The number in the living instance. Where that is a new one, the work is opened again, and `again` has a call of its
+   * own.
+   */
   number(op: string, again?: (number: number) => void): number {
     const place = this.#place;
     const instance = instanceOf(this.#kind.engine, op);

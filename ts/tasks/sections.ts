@@ -1,7 +1,11 @@
 /** What an engine describes, part by part. */
 import { type HermiteCurve, curveIn } from "../core.js";
 
-/** Numbers in sections, each with its length in front, from the first to the last: all lie in the engine, until its next call. @internal */
+/**
+ * Numbers in sections, each with its length in front, from the first to the last: all lie in the engine, until its next
+ * call.
+ * @internal
+ */
 export class Sections {
   #at = 0;
 

@@ -1,4 +1,7 @@
-/** The tools of the weighted quasi-interpolant: splines of clouds, what they miss, and the whole way from a profile's points to its curve. */
+/**
+ * The tools of the weighted quasi-interpolant: splines of clouds, what they miss, and the whole way from a profile's
+ * points to its curve.
+ */
 import { type HermiteCurve, MAX_POINTS, type PointsLike, finite, flag, inRange, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word } from "../core.js";
 import { Sections } from "../tasks/sections.js";
 import { door } from "./trace-engine.js";
@@ -11,7 +14,10 @@ export interface QuasiInterpolantOptions {
   degree: number;
   /** Knots that do not fall, the first and the last `degree` + 1 times. */
   knots: Float64Array | readonly number[];
-  /** How many of the nearest points a coefficient is the mean of: 1 to as many as there are, one less for {@link looScore}. */
+  /**
+   * How many of the nearest points a coefficient is the mean of: 1 to as many as there are, one less for {@link
+   * looScore}.
+   */
   neighbours: number;
 }
 
@@ -23,7 +29,10 @@ export interface ProfileOptions {
   degree?: number | undefined;
   /** The least turning of a cusp, in radians, 0.05 … π. Default 35°; as printed 40°. */
   corner?: number | undefined;
-  /** "local", the default, takes coefficients from splines fitted nearby, on knots where they are needed; "mean" is the method as it was published. */
+  /**
+   * "local", the default, takes coefficients from splines fitted nearby, on knots where they are needed; "mean" is the
+   * method as it was published.
+   */
   method?: "local" | "mean" | undefined;
 }
 
@@ -68,10 +77,11 @@ function cloud(op: string, points: unknown, options: unknown): readonly [number,
 }
 
 /**
- * The coefficients of the weighted quasi-interpolant of points (x, y): each is the mean of the ordinates nearest to its knots' mean.
+ * The coefficients of the weighted quasi-interpolant of points (x, y): each is the mean of the ordinates nearest to its
+ * knots' mean.
  *
- * @throws {ExplineError} E_DEGENERATE for knots that fall or whose ends are too few, E_LENGTH for fewer knots than twice `degree` + 1, E_RANGE for more
- *   neighbours than points.
+ * @throws {ExplineError} E_DEGENERATE for knots that fall or whose ends are too few, E_LENGTH for fewer knots than
+ *   twice `degree` + 1, E_RANGE for more neighbours than points.
  */
 export function quasiInterpolate(points: PointsLike, options: QuasiInterpolantOptions): Float64Array {
   const op = "quasiInterpolate";
@@ -80,7 +90,8 @@ export function quasiInterpolate(points: PointsLike, options: QuasiInterpolantOp
 }
 
 /**
- * Root of the mean square error of predicting each point from all the others, in the unit of y: exact, without fitting anything twice.
+ * Root of the mean square error of predicting each point from all the others, in the unit of y: exact, without fitting
+ * anything twice.
  *
  * @throws {ExplineError} as {@link quasiInterpolate} does, and E_RANGE where there are no more points than neighbours.
  */
@@ -92,11 +103,11 @@ export function looScore(points: PointsLike, options: QuasiInterpolantOptions): 
 }
 
 /**
- * The whole method on the points of one profile, in their order: cusps, tubes, a spline for each with its own knots and neighbours, joined at
- * cusps and smooth elsewhere.
+ * The whole method on the points of one profile, in their order: cusps, tubes, a spline for each with its own knots and
+ * neighbours, joined at cusps and smooth elsewhere.
  *
- * Points are expected in pixels, about one apart, as edges have them: how far corners are rounded and what is noise is known in pixels. Scale others:
- * a circle of 150 points is off by a thousandth of its radius at 10, by a third at 1.
+ * Points are expected in pixels, about one apart, as edges have them: how far corners are rounded and what is noise is
+ * known in pixels. Scale others: a circle of 150 points is off by a thousandth of its radius at 10, by a third at 1.
  *
  * @throws {ExplineError} E_TOO_FEW_POINTS below two points.
  */
@@ -144,12 +155,15 @@ export const metrics = {
   rmse: (residuals: Float64Array | readonly number[]): number => residual("rmse", residuals, 0),
   /** Mean of the absolute values; 0 where there is nothing. */
   mae: (residuals: Float64Array | readonly number[]): number => residual("mae", residuals, 1),
-  /** The largest distance of a point of `from` from its nearest one of `to`, which has one at least; 0 where there is nothing to be near. */
+  /**
+   * The largest distance of a point of `from` from its nearest one of `to`, which has one at least; 0 where there is
+   * nothing to be near.
+   */
   directedHausdorff: (from: PointsLike, to: PointsLike): number => comparison("directedHausdorff", from, to, 0),
   /**
-   * Of the pixels that hold points of a profile and of a curve, the share of those that are next to one of the other side: 1 is best. With
-   * `literal` as printed, the intersection over the union of the profile with the curve's pixels and their neighbours: a third at best.
-   * Nothing and nothing are alike: 1.
+   * Of the pixels that hold points of a profile and of a curve, the share of those that are next to one of the other
+   * side: 1 is best. With `literal` as printed, the intersection over the union of the profile with the curve's pixels
+   * and their neighbours: a third at best. Nothing and nothing are alike: 1.
    */
   jaccard: (profile: PointsLike, curve: PointsLike, options?: { literal?: boolean | undefined }): number => {
     const { literal } = checkOptions("jaccard", options, ["literal"]);

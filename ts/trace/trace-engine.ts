@@ -10,9 +10,10 @@ export type TraceKernel = InitOutput;
 const traces: Engine<TraceKernel> = { op: "initTrace", mark: "trace_open", bytes: wasmBytes, address: wasmAddress };
 
 /**
- * Loads the engine for tracing early, or from elsewhere. Not needed before the first picture: without it the wasm inside the package is
- * compiled when it is first used. `expline/slim` needs it before `traceImage`; `traceImageAsync` waits for it by itself. The curves that come out
- * are Hermite curves: `toSvg`, and whatever is asked of them but for their data, needs `init()` as well there.
+ * Loads the engine for tracing early, or from elsewhere. Not needed before the first picture: without it the wasm
+ * inside the package is compiled when it is first used. `expline/slim` needs it before `traceImage`; `traceImageAsync`
+ * waits for it by itself. The curves that come out are Hermite curves: `toSvg`, and whatever is asked of them but for
+ * their data, needs `init()` as well there.
  *
  * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
  */
@@ -20,7 +21,9 @@ export function initTrace(options?: InitOptions): Promise<void> {
   return begin(traces, options);
 }
 
-/** Starts the engine for tracing from bytes or from a module, without waiting; changes nothing where one runs already. */
+/**
+ * Starts the engine for tracing from bytes or from a module, without waiting; changes nothing where one runs already.
+ */
 export function initTraceSync(options: InitSyncOptions): void {
   beginSync(traces, "initTraceSync", options);
 }
@@ -65,7 +68,8 @@ const { call, instance, peek, result, write, writeBytes } = door;
 const TRACE: Kind<TraceKernel> = { engine: traces, close: (kernel, number) => kernel.trace_close(number) };
 
 /**
- * A picture in the engine. It stays where it is, in JavaScript; an instance that dies takes nothing along, and the next begins anew.
+ * A picture in the engine. It stays where it is, in JavaScript; an instance that dies takes nothing along, and the next
+ * begins anew.
  * @internal
  */
 export class Picture {

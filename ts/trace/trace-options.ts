@@ -4,8 +4,8 @@ import type { Pixels } from "./trace-engine.js";
 import { type Watch, watch } from "../tasks/yielding.js";
 
 /**
- * What a trace is doing: reading pixels, finding edges, following contours, looking for corners, fitting splines, refining them; with `colors` all
- * of that for one layer after the other.
+ * What a trace is doing: reading pixels, finding edges, following contours, looking for corners, fitting splines,
+ * refining them; with `colors` all of that for one layer after the other.
  */
 export type TraceStage = "pixels" | "edges" | "contours" | "corners" | "splines" | "refinement" | "layers";
 
@@ -24,7 +24,10 @@ export interface TraceProgress {
 
 /** A picture: an `ImageData`, or anything with the same three fields. */
 export interface ImageLike {
-  /** Red, green, blue and opacity of every pixel, or one shade from 0, black, to 255, white: which of both, the length says. */
+  /**
+   * Red, green, blue and opacity of every pixel, or one shade from 0, black, to 255, white: which of both, the length
+   * says.
+   */
   readonly data: Uint8ClampedArray | Uint8Array;
   /** Pixels in a row, 1 to 16,384. */
   readonly width: number;
@@ -34,7 +37,10 @@ export interface ImageLike {
 
 /** What {@link traceImage} can be told. */
 export interface TraceOptions {
-  /** What is followed: the outlines of ink, the default; edges, where the shade changes fastest; or the centre lines of thin strokes. */
+  /**
+   * What is followed: the outlines of ink, the default; edges, where the shade changes fastest; or the centre lines of
+   * thin strokes.
+   */
   source?: "brightness" | "edges" | "lines" | undefined;
   /** Shade between ink and paper, 0 … 255. Default "auto": found in the picture. */
   threshold?: number | "auto" | undefined;
@@ -43,30 +49,36 @@ export interface TraceOptions {
   /** Light ink on dark paper. Default false; a light drawing on a transparent ground is ink without being asked for. */
   invert?: boolean | undefined;
   /**
-   * Contours that enclose fewer square pixels are left out, and edges shorter than the outline of a square of so many: 0 to 1e9. Default 2; of
-   * ink in thin strokes without noise, as small letters have, smaller dots are kept as well, down to what is hardly above the threshold.
+   * Contours that enclose fewer square pixels are left out, and edges shorter than the outline of a square of so many:
+   * 0 to 1e9. Default 2; of ink in thin strokes without noise, as small letters have, smaller dots are kept as well,
+   * down to what is hardly above the threshold.
    */
   speckle?: number | undefined;
   /** The least turning of a corner, in radians, 0.05 … π: π knows no corners. Default 0.49, 28°. */
   corner?: number | undefined;
   /**
-   * How far the first curve of a contour may be from its points in pixels, about: pieces are fitted to points half a pixel apart, and the ends of a
-   * piece, corners and pieces of two pixels may be farther. A refined curve begins within .18 and goes where the picture says; above the default
-   * joints may leave more in proportion. In noise twice as much is allowed. What was reached is `metrics.max`. 0.01 to 1000; default 0.22.
-   * Where a drawing was scaled up by repeating pixels, this counts in those pixels.
+   * How far the first curve of a contour may be from its points in pixels, about: pieces are fitted to points half a
+   * pixel apart, and the ends of a piece, corners and pieces of two pixels may be farther. A refined curve begins
+   * within .18 and goes where the picture says; above the default joints may leave more in proportion. In noise twice
+   * as much is allowed. What was reached is `metrics.max`. 0.01 to 1000; default 0.22. Where a drawing was scaled up by
+   * repeating pixels, this counts in those pixels.
    */
   tolerance?: number | undefined;
   /**
-   * A picture of a few flat colours: how many at most, 2 … 64, are looked for, or which they are, 1 to 64 as "#rrggbb" or "#rgb". Each becomes a layer, and layers lie
-   * on one another without gaps. They are opaque: what is translucent, and the same all around, has the colour that it has on white.
-   * Default: ink on paper, which `source`, `threshold` and `invert` are about: beside `colors` they are E_RANGE.
+   * A picture of a few flat colours: how many at most, 2 … 64, are looked for, or which they are, 1 to 64 as "#rrggbb"
+   * or "#rgb". Each becomes a layer, and layers lie on one another without gaps. They are opaque: what is translucent,
+   * and the same all around, has the colour that it has on white. Default: ink on paper, which `source`, `threshold`
+   * and `invert` are about: beside `colors` they are E_RANGE.
    */
   colors?: number | readonly string[] | undefined;
   /** Which fit follows a contour: the sparsest spline, the default, or the weighted quasi-interpolant. */
   model?: "sparse" | "wqisa" | undefined;
   /** Whether curves are refined until they cover of every pixel what the picture says. Default true. */
   refine?: boolean | undefined;
-  /** More contours than this is taken for a photograph: E_LIMIT with `actual`, how many there are. Default 1500, at most 200,000. */
+  /**
+   * More contours than this is taken for a photograph: E_LIMIT with `actual`, how many there are. Default 1500, at most
+   * 200,000.
+   */
   maxContours?: number | undefined;
   /** Ends the work: E_CANCELLED. A synchronous trace looks at it once, before it begins. */
   signal?: Signal | undefined;
@@ -128,7 +140,10 @@ export function traceOrder(op: string, image: unknown, options: unknown): TraceO
   return { pixels, record, filled: source === undefined || source === "brightness", ...watch(op, own) };
 }
 
-/** What tells ink from paper has no say where each colour is a layer of its own: to take it in silence would promise more than is done. */
+/**
+ * What tells ink from paper has no say where each colour is a layer of its own: to take it in silence would promise
+ * more than is done.
+ */
 function checkInk(op: string, { source, threshold, invert }: { readonly [N in "source" | "threshold" | "invert"]?: unknown }): void {
   const idle = [["source", source, "brightness"], ["threshold", threshold, "auto"], ["invert", invert, false]] as const;
   for (const [name, value, only] of idle) {

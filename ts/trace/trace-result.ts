@@ -11,7 +11,10 @@ export interface TraceMetrics {
   mae: number;
   /** Their largest distance. */
   max: number;
-  /** The largest distance between both, in both directions: more than `max` where a sharp corner stands beyond its contour, which pixels cut off. */
+  /**
+   * The largest distance between both, in both directions: more than `max` where a sharp corner stands beyond its
+   * contour, which pixels cut off.
+   */
   hausdorff: number;
   /** The share of the pixels on both that are next to each other: 1 is best. */
   jaccard: number;
@@ -23,7 +26,10 @@ export interface TracedContour {
   curve: HermiteCurve;
   /** A stroke's centre line, or an edge that ends, is not; it is drawn as a line and not filled. */
   closed: boolean;
-  /** Whether it bounds a hole. Ink is run around one way and holes the other, so that both rules of filling give the same. */
+  /**
+   * Whether it bounds a hole. Ink is run around one way and holes the other, so that both rules of filling give the
+   * same.
+   */
   hole: boolean;
   /** Its corners. */
   cusps: [number, number][];
@@ -41,18 +47,22 @@ export interface TraceLayer {
 
 /** How {@link Trace.toSvg} writes. */
 export interface TraceSvgOptions {
-  /** Largest distance in pixels, above 0, between the curves and what the text draws, with decimals enough for it. Default 0.02, and .007 for two decimals. */
+  /**
+   * Largest distance in pixels, above 0, between the curves and what the text draws, with decimals enough for it.
+   * Default 0.02, and .007 for two decimals.
+   */
   tolerance?: number | undefined;
   /**
-   * Digits behind the point, up to 17. Default: as many as the tolerance needs that is asked for, else 2. They cost half a unit of the last one in x
-   * and in y besides the tolerance: 2 draw up to .0071 pixels farther off, 1 up to .071 and 0 up to .71.
+   * Digits behind the point, up to 17. Default: as many as the tolerance needs that is asked for, else 2. They cost
+   * half a unit of the last one in x and in y besides the tolerance: 2 draw up to .0071 pixels farther off, 1 up to
+   * .071 and 0 up to .71.
    */
   decimals?: number | undefined;
 }
 
 /**
- * The curves of a picture. `postMessage` takes neither curves nor functions: of the contours send `{ ...contour, curve: contour.curve.toJSON() }`, which
- * `fromJSON` reads.
+ * The curves of a picture. `postMessage` takes neither curves nor functions: of the contours send
+ * `{ ...contour, curve: contour.curve.toJSON() }`, which `fromJSON` reads.
  */
 export interface Trace {
   /** Of the picture, in pixels. */
