@@ -1,4 +1,7 @@
-/** Colours of JPEG pictures: brightness has a sample for each pixel, the two colour differences often only one for two or four. */
+/**
+ * Colours of JPEG pictures: brightness has a sample for each pixel, the two colour differences often only one for two
+ * or four.
+ */
 
 /** How many pixels a sample stands for. */
 export interface Sampling {
@@ -7,8 +10,9 @@ export interface Sampling {
 }
 
 /**
- * Makes red, green and blue, in place, of brightness and two differences in three of each four bytes, where a sample of the differences is repeated
- * for the pixels that it stands for. Between samples they are interpolated, as other programs do: repeated, colours have stairs of two pixels.
+ * Makes red, green and blue, in place, of brightness and two differences in three of each four bytes, where a sample of
+ * the differences is repeated for the pixels that it stands for. Between samples they are interpolated, as other
+ * programs do: repeated, colours have stairs of two pixels.
  */
 export function colorsOf(data: Uint8Array, width: number, height: number, sampling: readonly Sampling[]): void {
   const [blueness, redness] = [1, 2].map((channel) => differences(data, width, height, channel, sampling[channel] ?? { across: 1, down: 1 }));
@@ -47,7 +51,10 @@ function differences(data: Uint8Array, width: number, height: number, channel: n
 /** Of two pixels that share a sample each is a quarter of the way to the next one from its middle. */
 const between = (near = 0, far = 0): number => 0.75 * near + 0.25 * far;
 
-/** For each of so many pixels the sample that it belongs to, and the one on its other side: the same where there is none, or none between. */
+/**
+ * For each of so many pixels the sample that it belongs to, and the one on its other side: the same where there is
+ * none, or none between.
+ */
 function neighbours(pixels: number, shared: number, samples: number): { readonly near: Int32Array; readonly far: Int32Array } {
   const near = Int32Array.from({ length: pixels }, (_, i) => Math.min(Math.floor(i / shared), samples - 1));
   if (shared !== 2) return { near, far: near };

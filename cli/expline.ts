@@ -1,5 +1,7 @@
 #!/usr/bin/env node
-/** The command line of the package. Status 0; 1 for bad input, 2 for wrong usage, each with one line on standard error. */
+/**
+ * The command line of the package. Status 0; 1 for bad input, 2 for wrong usage, each with one line on standard error.
+ */
 import { ExplineError, version } from "expline";
 
 import { Failure, USAGE, statusOf } from "./failure.ts";

@@ -43,12 +43,16 @@ const INKS = Uint8Array.of(0xff, 0xd8, 0xff, Mark.Adobe, 0, 14, 0x41, 0x64, 0x6f
 /** More than 40 megapixels need: 22 bytes each. */
 const MOST_MEMORY_MB = 2048;
 
-/** The picture of a JPEG and how it is to be turned; `accept` throws where its size is too much, before anything is unpacked. */
+/**
+ * The picture of a JPEG and how it is to be turned; `accept` throws where its size is too much, before anything is
+ * unpacked.
+ */
 export function readJpeg(bytes: Uint8Array, accept: (size: Size) => void): Picture & { readonly orientation: number } {
   const { frame, orientation, jfif, adobe, atOnce } = headerOf(bytes);
   accept(frame);
   const colors = frame.sampling.length === 3;
-  // Four channels that nobody explains are what Adobe's programs write: other programs assume it, and the library wants to be told.
+  // Four channels that nobody explains are what Adobe's programs write: other programs assume it, and the library wants
+  // to be told.
   const told = frame.sampling.length === 4 && adobe === undefined ? [INKS, bytes.subarray(2)] : [bytes];
   // Nothing is missing of a picture that is there at once and only does not say that it ends.
   if (atOnce) told.push(Uint8Array.of(0xff, Mark.End));

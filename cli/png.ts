@@ -41,7 +41,10 @@ interface Chunks {
   readonly packed: readonly Uint8Array[];
 }
 
-/** The picture of a PNG and how it is to be turned; `accept` throws where its size is too much, before anything is unpacked. */
+/**
+ * The picture of a PNG and how it is to be turned; `accept` throws where its size is too much, before anything is
+ * unpacked.
+ */
 export function readPng(bytes: Uint8Array, accept: (size: Size) => void): Picture & { readonly orientation: number } {
   const chunks = chunksOf(bytes, accept);
   const { header, orientation, packed } = chunks;
@@ -118,7 +121,10 @@ function headerOf(name: string, content: Uint8Array): Header {
   return { width: view.getUint32(0), height: view.getUint32(4), depth, type, interlaced: interlacing === 1 };
 }
 
-/** Adds to each byte of a row what the filter foretold of it; `left` bytes lie between a byte and that of the pixel before. */
+/**
+ * Adds to each byte of a row what the filter foretold of it; `left` bytes lie between a byte and that of the pixel
+ * before.
+ */
 function unfilter(filter: number, row: Uint8Array, above: Uint8Array, left: number): void {
   if (filter > 4) throw new Error(`it is damaged: there is no filter ${filter}`);
   for (let i = 0; filter > 0 && i < row.length; i += 1) {

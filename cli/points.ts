@@ -13,7 +13,10 @@ export interface Stroke {
 
 const LARGEST = 1e9;
 
-/** The text of a file, or of standard input for `-`: in UTF-8, or in UTF-16 where its first bytes say so, as what Windows PowerShell writes with `>`. */
+/**
+ * The text of a file, or of standard input for `-`: in UTF-8, or in UTF-16 where its first bytes say so, as what
+ * Windows PowerShell writes with `>`.
+ */
 export function readText(file: string): string {
   const bytes = readBytes(file);
   const [first, second] = bytes;
@@ -22,8 +25,8 @@ export function readText(file: string): string {
 }
 
 /**
- * Rows of x and y with a comma, a semicolon, a tab or blanks between them. A first row of words, after comments, is a heading, `#` begins a comment, an empty
- * row begins another contour.
+ * Rows of x and y with a comma, a semicolon, a tab or blanks between them. A first row of words, after comments, is a
+ * heading, `#` begins a comment, an empty row begins another contour.
  */
 export function readPoints(text: string, file: string): Stroke[] {
   const strokes: { readonly numbers: number[]; readonly row: number }[] = [];

@@ -104,7 +104,10 @@ function targets(files: readonly string[], { values }: Given, format: Format): (
   });
 }
 
-/** A folder for the results of several pictures; a name that is a file's is a mistake, and one picture would take the other's place. */
+/**
+ * A folder for the results of several pictures; a name that is a file's is a mistake, and one picture would take the
+ * other's place.
+ */
 function asFolder(path: string, count: number): void {
   if (!isFolder(path) && (isFile(path) || /\.(?:svg|json)$/iu.test(path))) {
     throw new Failure(USAGE, `${path}: the results of ${count} pictures need a folder, and this is a file or is called like one`);
