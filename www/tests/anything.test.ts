@@ -4,7 +4,10 @@ import { parseState, writeState } from "../src/document/file/file.ts";
 import type { Modifiers, ToolId } from "../src/editor/editor.ts";
 import { Hand } from "./harness.ts";
 
-/** Whatever is done in whatever order, undo brings back the start and redo the end. Each seed is a sequence of its own, the same every time. */
+/**
+ * Whatever is done in whatever order, undo brings back the start and redo the end. Each seed is a sequence of its own,
+ * the same every time.
+ */
 
 /** Numbers in [0, 1) that look like chance, by a linear congruence of full period. */
 function chance(seed: number): () => number {

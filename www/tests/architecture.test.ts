@@ -88,7 +88,9 @@ test("inside the panels, a mode's room knows no other mode's, and the page aroun
   assert.deepEqual(strays, []);
 });
 
-/** What is left of files and their imports when those are taken away from which nothing leads on, one after the other. */
+/**
+ * What is left of files and their imports when those are taken away from which nothing leads on, one after the other.
+ */
 function inCircles(arrows: ReadonlyMap<string, readonly string[]>): string[] {
   let left = new Map(arrows);
   for (;;) {

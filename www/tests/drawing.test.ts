@@ -5,7 +5,10 @@ import { emptyCurve, type Contour } from "../src/document/document.ts";
 import { addDrawing } from "../src/editor/curve/adding.ts";
 import { contoursOfPath, Hand } from "./harness.ts";
 
-/** The pen among steps that are not its own: it goes on with the contour that it draws, wherever that is, and with no other. */
+/**
+ * The pen among steps that are not its own: it goes on with the contour that it draws, wherever that is, and with no
+ * other.
+ */
 
 const read = (d: string): Contour[] => contoursOfPath(d, emptyCurve.space);
 

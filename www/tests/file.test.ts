@@ -8,7 +8,10 @@ import { FileError, parseState, readState, writeState, type FileErrorCode } from
 import { curveSamples } from "../src/document/curve/samples.ts";
 import { Hand } from "./harness.ts";
 
-/** The file format under hostile input. Ids are those of the catalogue of hostile cases, adapted to this format's fields. */
+/**
+ * The file format under hostile input. Ids are those of the catalogue of hostile cases, adapted to this format's
+ * fields.
+ */
 
 function stateOf(sample = 0): DemoState {
   const curve = curveSamples[sample]?.curve;
@@ -174,7 +177,8 @@ test("a file that is looked at from nearer than it can be drawn opens as near as
   const state = stateOf();
   const xs = state.curve.contours.flatMap(({ points }) => points.map(({ x }) => x));
   const width = Math.max(...xs) - Math.min(...xs);
-  // Chromium draws four million pixels in milliseconds, forty in seconds, and the outlines of more than that perhaps never.
+  // Chromium draws four million pixels in milliseconds, forty in seconds, and the outlines of more than that perhaps
+  // never.
   assert.ok(Math.abs(seen(state, 1e9) * width - 4e6) < 1, `${seen(state, 1e9) * width} px across`);
   assert.equal(seen(state, 6000), 6000);
   const data = [[0, 0], [10, 0], [20, 4000], [30, 0]] as const;

@@ -59,7 +59,8 @@ test("a stroke becomes a contour beside what is there, as one entry; the line st
   assert.equal(state.value.curve.contours.length, 1);
   assert.equal(state.value.sketch.stroke.length, 20);
   assert.equal(asked.length, 1);
-  // A pixel and a half of the screen, whatever that is in the drawing; a hand that turns by less than half a radian made no corner.
+  // A pixel and a half of the screen, whatever that is in the drawing; a hand that turns by less than half a radian
+  // made no corner.
   assert.deepEqual(asked[0]?.strength, { by: "error", tolerance: 1.5 / state.value.view.zoom });
   assert.equal(asked[0]?.subject.corners, 0.5);
   answer(3);

@@ -74,11 +74,13 @@ test("overlays of very many points have no more than can be told apart, and noth
     const { x, y } = many.points[300] as ControlPoint;
     const near = workOf(curve, overlay, 64, { x, y });
     assert.ok(near.paths >= 2, `${overlay}: ${near.paths} paths in sight`);
-    // A part has 512 segments with four teeth and a stretch of envelope to each, or eight sides in each of the steps; three parts may be near.
+    // A part has 512 segments with four teeth and a stretch of envelope to each, or eight sides in each of the steps;
+    // three parts may be near.
     assert.ok(near.lines <= 3 * 512 * 32, `${overlay}: ${near.lines} lines`);
     assert.equal(workOf(curve, overlay, 1, { x: 1e6, y: 1e6 }).paths, 0, overlay);
   }
-  // A ring of 14 pixels in each cell of 14 that the curve goes through: it goes through fewer than two to each cell's side of its length.
+  // A ring of 14 pixels in each cell of 14 that the curve goes through: it goes through fewer than two to each cell's
+  // side of its length.
   const { rings } = workOf(curve, "knots", 1, { x: 400, y: 300 });
   assert.ok(rings > 50 && rings <= 2 * 2800 / 14, `${rings} rings`);
 });
@@ -188,7 +190,8 @@ function workOfFit(count: number): { readonly line: number; readonly heat: numbe
 test("of very many points of Fit the way and the errors are drawn to the pixel, of few each step", () => {
   const [few, many] = [workOfFit(1500), workOfFit(60_000)];
   assert.deepEqual(few, { line: 1499, heat: 1500 });
-  // The points lie in a ring 4 wide and 400 π long: so many cells of a pixel, and half as many again along its two rims.
+  // The points lie in a ring 4 wide and 400 π long: so many cells of a pixel, and half as many again along its two
+  // rims.
   assert.ok(many.line <= 6 * 400 * Math.PI, `${many.line}`);
   // A chord of a circle of 1,257 pixels, every one two thirds of a pixel long.
   assert.ok(many.heat <= 2001, `${many.heat}`);
@@ -218,7 +221,8 @@ test("a contour of very many points without tangents is drawn in as many lines a
     };
     return documentPaths(scene, curve).lines.reduce((sum, line) => sum + (line as unknown as Path).lines, 0);
   };
-  // A twentieth of a pixel beside a circle of 250 pixels is passed by a chord of 10, so some 160 would do for a plain one; its 11 waves take more.
+  // A twentieth of a pixel beside a circle of 250 pixels is passed by a chord of 10, so some 160 would do for a plain
+  // one; its 11 waves take more.
   assert.ok(linesAt(1) < 1000, `${linesAt(1)} lines`);
   // Five pixels from point to point: pieces of a curve, one or more for each.
   assert.ok(linesAt(16) >= 5000, `${linesAt(16)} pieces`);

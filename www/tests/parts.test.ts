@@ -150,7 +150,8 @@ test("of points that run into one another few places are drawn, of points that s
   const [crowded, apart] = [createSmallPoints(path), createSmallPoints(path)];
   for (let i = 0; i < 10_000; i += 1) crowded.add({ x: 300 + 200 * Math.cos(i / 1591.5), y: 300 + 200 * Math.sin(i / 1591.5) }, i % 10 === 0 ? "cusp" : "smooth", false);
   for (let i = 0; i < 100; i += 1) apart.add({ x: 7 * i, y: 0 }, i % 10 === 0 ? "cusp" : "smooth", i % 7 === 0);
-  // A line that misses no place of a circle by more than 0.1 has a vertex every 12 units; of the cusps one to a pixel may stay.
+  // A line that misses no place of a circle by more than 0.1 has a vertex every 12 units; of the cusps one to a pixel
+  // may stay.
   assert.ok(crowded.drawn < 1000 + 4 * Math.PI * 200 / 12, `${crowded.drawn}`);
   assert.equal(apart.drawn, 100);
 });

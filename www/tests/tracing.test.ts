@@ -49,7 +49,8 @@ test("every corner that the tracer finds in overlapping shapes is one in the cou
   const found = trace.contours.flatMap(({ cusps }) => cusps.map(([x = 0, y = 0]): Pair => [x, y]));
   const corners = cornersIn(drawing);
   const points = drawing.contours.flatMap((contour) => contour.points);
-  // Also of this picture, where an arc ends in one of them, the tracer's corners are points of its curve; they were up to .06 pixels beside.
+  // Also of this picture, where an arc ends in one of them, the tracer's corners are points of its curve; they were up
+  // to .06 pixels beside.
   const beside = Math.max(...found.map((place) => nearest(place, points)));
   assert.ok(found.length >= 6 && beside < 1e-9, `${found.length} corners, ${beside} px beside`);
   for (const place of found) assert.equal(nearest(place, corners), nearest(place, points), `${place.join(", ")} is no corner`);

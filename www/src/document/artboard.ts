@@ -1,4 +1,6 @@
-/** The sheet that a drawing lies on: what an SVG file calls its viewBox. Without one, a drawing's sheet is its own box. */
+/**
+ * The sheet that a drawing lies on: what an SVG file calls its viewBox. Without one, a drawing's sheet is its own box.
+ */
 export interface Artboard {
   readonly x: number;
   readonly y: number;
@@ -14,8 +16,8 @@ export interface Box {
 }
 
 /**
- * How the closed contours are filled, where that is not even-odd, by which holes are holes whichever way they run: by the
- * winding number, as most SVG files are, or not at all.
+ * How the closed contours are filled, where that is not even-odd, by which holes are holes whichever way they run: by
+ * the winding number, as most SVG files are, or not at all.
  */
 export type Filling = "nonzero" | "none";
 
@@ -40,7 +42,10 @@ export function artboardOf(box: { readonly left: number; readonly top: number; r
   return isGood ? { x: x + 0, y: y + 0, width, height } : null;
 }
 
-/** So much of its size may a drawing reach over its artboard, as rounded ones do, before the sheet grows: nothing that can be seen. */
+/**
+ * So much of its size may a drawing reach over its artboard, as rounded ones do, before the sheet grows: nothing that
+ * can be seen.
+ */
 const slack = 1e-3;
 
 /** The artboard, and beyond it on every side as far as the drawing reaches out of it. */

@@ -42,7 +42,9 @@ export interface Contour extends Painted {
   readonly family: Family;
   readonly closed: boolean;
   readonly points: readonly ControlPoint[];
-  /** How many segments on each side moving one point may change. A Hermite point changes its two neighbours' segments. */
+  /**
+   * How many segments on each side moving one point may change. A Hermite point changes its two neighbours' segments.
+   */
   readonly support?: number;
   /** Radians per unit of the parameter, one number per segment; absent: the document's frequency. */
   readonly omega?: readonly number[];
@@ -56,7 +58,10 @@ export interface Contour extends Painted {
   readonly roots?: readonly Root[];
   /** Interpolating, above level 0: where its points stand, which are then near the curve and not on it. */
   readonly grid?: Grid;
-  /** Interpolating, at level 0: places with finer control points, which stand in `points` after those on the curve, place by place. */
+  /**
+   * Interpolating, at level 0: places with finer control points, which stand in `points` after those on the curve,
+   * place by place.
+   */
   readonly places?: readonly FinePlace[];
 }
 

@@ -17,7 +17,9 @@ export const modes: readonly Mode[] = ["curve", "fit", "trace", "surface"];
 
 export interface CurveDocument extends Setting {
   readonly space: Space;
-  /** Radians per unit of the parameter; "auto" is 2π over the parameter length of a closed contour, 0 for an open one. */
+  /**
+   * Radians per unit of the parameter; "auto" is 2π over the parameter length of a closed contour, 0 for an open one.
+   */
   readonly omega: number | "auto";
   readonly level: number;
   readonly contours: readonly Contour[];
@@ -108,7 +110,10 @@ export function isEnd(curve: CurveDocument, { contour, index }: PointRef): boole
   return shape?.closed === false && (index === 0 || index === shape.points.length - 1);
 }
 
-/** How many segments a contour has: one per point when closed, one fewer when open; of a refined one, the cells of its grid. */
+/**
+ * How many segments a contour has: one per point when closed, one fewer when open; of a refined one, the cells of its
+ * grid.
+ */
 export function segmentCount(contour: Contour): number {
   const { grid } = contour;
   if (grid !== undefined) return Math.round((contour.closed ? grid.count : grid.count - 1) / grid.step);
@@ -140,7 +145,10 @@ export function domainLength(contour: Contour): number {
   return sum;
 }
 
-/** The frequency of a segment: its own, or the document's, or the one that keeps a closed trigonometric contour's circles exact. */
+/**
+ * The frequency of a segment: its own, or the document's, or the one that keeps a closed trigonometric contour's
+ * circles exact.
+ */
 export function omegaOf(curve: CurveDocument, contour: Contour, segment: number): number {
   const own = contour.omega?.[segment];
   if (own !== undefined) return own;

@@ -1,6 +1,8 @@
 import type { CurveDocument, Selection } from "./document.ts";
 
-/** Undo and redo over whole documents. They are immutable and share what did not change, so that an entry costs little. */
+/**
+ * Undo and redo over whole documents. They are immutable and share what did not change, so that an entry costs little.
+ */
 
 export interface Moment {
   readonly curve: CurveDocument;

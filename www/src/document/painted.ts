@@ -3,8 +3,8 @@
 /** How a contour is painted: its area, then its line over it. */
 export interface Painted {
   /**
-   * The colour of its area: `#rrggbb`, or `#rrggbbaa` where something shows through. `none`: it is a line, which has no area
-   * even where it is closed. Absent: the colour of the page, and of files.
+   * The colour of its area: `#rrggbb`, or `#rrggbbaa` where something shows through. `none`: it is a line, which has no
+   * area even where it is closed. Absent: the colour of the page, and of files.
    */
   readonly ink?: string;
   /** Absent: an area has none, and what has no area a thin one, however near one looks. */

@@ -1,4 +1,6 @@
-/** What can go wrong with something from outside, as the catalogue of messages counts it: an id and what to print in it. */
+/**
+ * What can go wrong with something from outside, as the catalogue of messages counts it: an id and what to print in it.
+ */
 export interface ProblemDetails {
   readonly name?: string;
   readonly line?: number;

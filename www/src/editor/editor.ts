@@ -16,7 +16,10 @@ export type Notice =
   | { readonly kind: "toast"; readonly text: string; readonly actionId?: string }
   | { readonly kind: "error"; readonly id: string; readonly text: string }
   | { readonly kind: "announce"; readonly text: string }
-  /** What was wrong is over, though there is nothing to say about it: an error that still shows goes, if it is `of` this kind. */
+  /**
+   * What was wrong is over, though there is nothing to say about it: an error that still shows goes, if it is `of` this
+   * kind.
+   */
   | { readonly kind: "well"; readonly of?: string };
 
 /** One definition serves toolbar, menu, keys and help. */
@@ -60,7 +63,10 @@ export interface Editor {
   dispatch(command: Command): void;
   /** Opens a gesture (a slider drag, a point drag): everything until `commit` is one entry. */
   begin(name: string): void;
-  /** Applies the command to the state at `begin`, so that a drag can be re-evaluated from its start; `also` is set in the same step. */
+  /**
+   * Applies the command to the state at `begin`, so that a drag can be re-evaluated from its start; `also` is set in
+   * the same step.
+   */
   preview(command: Command, also?: EditorPatch): void;
   commit(): void;
   /** Back to the state at `begin`; no entry. */

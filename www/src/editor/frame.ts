@@ -6,7 +6,10 @@
 export interface Frame {
   /** Asks for a frame; asking twice before it comes is asking once. */
   request(): void;
-  /** Runs in every frame: all that takes in input, then all that paints what came of it. One that throws stops nothing but itself. */
+  /**
+   * Runs in every frame: all that takes in input, then all that paints what came of it. One that throws stops nothing
+   * but itself.
+   */
   add(phase: "input" | "paint", task: () => void): void;
   /** Resolves when no frame is wanted. */
   idle(): Promise<void>;

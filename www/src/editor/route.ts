@@ -8,7 +8,10 @@ import { defaultSettings } from "./initial-state.ts";
 import type { Editor, OverlayId } from "./editor.ts";
 import { fitView } from "./actions/standard-actions.ts";
 
-/** `#/curve?sample=heart`: the mode, and the sample while it is still the sample. Shared drawings (`#s=…`) are decoded elsewhere. */
+/**
+ * `#/curve?sample=heart`: the mode, and the sample while it is still the sample. Shared drawings (`#s=…`) are decoded
+ * elsewhere.
+ */
 
 export interface Route {
   readonly mode: Mode;
@@ -104,7 +107,8 @@ export function connectRoutes(editor: Editor, until: AbortSignal): void {
   editor.state.subscribe((state, before) => {
     if (following || (state.mode === before.mode && state.mode !== "surface" && state.curve === before.curve && state.fit.sample === before.fit.sample
       && state.trace.sample === before.trace.sample)) return;
-    // Another mode or another sample is a page to come back to; an edit only stops the address from promising the sample.
+    // Another mode or another sample is a page to come back to; an edit only stops the address from promising the
+    // sample.
     const { sample } = routeOf(editor);
     const last = before[state.mode].sample;
     write(state.mode !== before.mode || (sample !== null && sample !== last));

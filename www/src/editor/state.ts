@@ -81,7 +81,10 @@ export interface EditorState {
   readonly traceView: TraceView;
   /** The picture, what came of the last trace, and what is under way. */
   readonly traceRun: TraceRun;
-  /** How far the trace has come that is under way. Beside `traceRun`: who draws that need not draw it again for a percent. */
+  /**
+   * How far the trace has come that is under way. Beside `traceRun`: who draws that need not draw it again for a
+   * percent.
+   */
   readonly traceProgress: TraceProgress | null;
   /** How much is done of the fit that is under way, from 0 to 1. */
   readonly fitProgress: number;
@@ -100,7 +103,9 @@ export interface EditorState {
   readonly modifiers: Modifiers;
   /** Where the stage is in the window, CSS pixels. */
   readonly stage: StageBox;
-  /** Says something particular in the hint line until the pointer or the selection moves on; empty: the ordinary hint. */
+  /**
+   * Says something particular in the hint line until the pointer or the selection moves on; empty: the ordinary hint.
+   */
   readonly hint: string;
   /** The last thing that moved the selection was the keyboard: the focus ring shows. */
   readonly keyboard: boolean;

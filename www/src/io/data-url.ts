@@ -1,6 +1,11 @@
-/** Pictures that are copied as text: the address of an image in a style sheet, or what a browser's tools call a data URI. */
+/**
+ * Pictures that are copied as text: the address of an image in a style sheet, or what a browser's tools call a data
+ * URI.
+ */
 
-/** In base64 nothing ends the text but what stands around it; unescaped drawings hold quotation marks of the other kind. */
+/**
+ * In base64 nothing ends the text but what stands around it; unescaped drawings hold quotation marks of the other kind.
+ */
 const dataUrl = /^\s*(?:[\w-]+\s*:\s*)?(?:url\(\s*|<img\b[^>]*?\bsrc\s*=)?\s*(["']?)data:(image\/[\w.+-]+)((?:;[\w.+=-]+)*),(.*?)\1\s*(?:\/?>)?[\s);]*$/isu;
 
 /** The file that a text is, or null where it is another text, or says that it is a picture and is none. */

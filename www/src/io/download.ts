@@ -9,8 +9,8 @@ export function download(name: string, content: Blob): void {
 }
 
 /**
- * Puts text on the clipboard, or what a promise of it brings; false where the browser does not allow it. Asked in the turn
- * of the press: Safari forgets a press as soon as a part of the page is being loaded.
+ * Puts text on the clipboard, or what a promise of it brings; false where the browser does not allow it. Asked in the
+ * turn of the press: Safari forgets a press as soon as a part of the page is being loaded.
  */
 export async function copyText(text: string | Promise<string>): Promise<boolean> {
   try {

@@ -33,7 +33,10 @@ export function kindOfText(text: string): ImportKind | null {
   return beginsAsTable(start) ? "points" : /^m/iu.test(start) ? "path" : null;
 }
 
-/** @throws Problem, also where nothing came of it; a JSON `null` or list is refused as the file it fails to be, not as unknown text. */
+/**
+ * @throws Problem, also where nothing came of it; a JSON `null` or list is refused as the file it fails to be, not as
+ *   unknown text.
+ */
 export function readImport(text: string, space: Space): Imported {
   const imported = readAs(text, space);
   if (imported.kind !== "json" && imported.contours.length === 0) throw imported.broken ?? new Problem("paste-unknown");

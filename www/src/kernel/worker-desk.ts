@@ -1,4 +1,7 @@
-/** What the page's workers have in common: they start when they are first needed, are heard, and give way to new ones when they die. */
+/**
+ * What the page's workers have in common: they start when they are first needed, are heard, and give way to new ones
+ * when they die.
+ */
 
 export interface Desk<Request> {
   /** Starts the worker if there is none. */
@@ -10,7 +13,9 @@ export interface Desk<Request> {
 
 export interface DeskHandlers<Answer> {
   receive(answer: Answer): void;
-  /** It stopped by itself, or (`E_INIT`) never began: its program did not come. It is still there until it is dismissed. */
+  /**
+   * It stopped by itself, or (`E_INIT`) never began: its program did not come. It is still there until it is dismissed.
+   */
   died(code: LossCode, message: string): void;
 }
 

@@ -30,7 +30,9 @@ export interface PanelsOptions {
 }
 
 export interface Panels {
-  /** Opens what the page was called with beside a route: a shared link, or the last session. Call once the engine runs. */
+  /**
+   * Opens what the page was called with beside a route: a shared link, or the last session. Call once the engine runs.
+   */
   openSession(): Promise<void>;
   /** Puts in the panel and the numbers of a mode that was loaded. */
   addMode(mode: Mode, parts: { readonly panel: ModePanel; readonly metrics: ModeMetrics }): void;

@@ -13,7 +13,10 @@ export interface Regions {
 
 /** Short messages over the stage. */
 export interface Toasts {
-  /** With an action: a button that does it and takes the toast away. The offer goes with the next step unless it is `lasting`. */
+  /**
+   * With an action: a button that does it and takes the toast away. The offer goes with the next step unless it is
+   * `lasting`.
+   */
   say(text: string, action?: { readonly label: string; readonly lasting?: boolean; run(): void }): void;
   error(id: string, text: string): void;
 }

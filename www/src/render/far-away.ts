@@ -8,9 +8,9 @@ import { asMoved } from "../kernel/fit/moved.ts";
 import { isFarAway, type Scene } from "./scene.ts";
 
 /**
- * The picture of what is far from the origin. Browsers keep the places of a path in single precision, seven digits: of a field
- * in the coordinates of a map they leave stairs, and of its outline nothing. So such a scene is drawn nearer to the origin: the
- * document, what is sketched on it and the view are moved by one step, and what is seen is the same.
+ * The picture of what is far from the origin. Browsers keep the places of a path in single precision, seven digits: of
+ * a field in the coordinates of a map they leave stairs, and of its outline nothing. So such a scene is drawn nearer to
+ * the origin: the document, what is sketched on it and the view are moved by one step, and what is seen is the same.
  */
 
 /** What the picture's own origin is in the document. */

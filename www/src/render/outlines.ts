@@ -11,7 +11,10 @@ export interface Outlines {
   readonly closed: Path2D;
 }
 
-/** Contours in a path of `lines`: browsers stroke a thousand contours in a hundred paths in six tenths of the time that one path of them takes. */
+/**
+ * Contours in a path of `lines`: browsers stroke a thousand contours in a hundred paths in six tenths of the time that
+ * one path of them takes.
+ */
 const contoursInLine = 30;
 
 export interface DrawnOutlines extends Outlines {
@@ -27,7 +30,10 @@ interface Kept extends DrawnOutlines {
 
 const wholes = new WeakMap<CurveDocument, Kept>();
 
-/** The contours of a drawing together: one of thousands is stroked and filled in a few calls, and panning makes nothing new. */
+/**
+ * The contours of a drawing together: one of thousands is stroked and filled in a few calls, and panning makes nothing
+ * new.
+ */
 export function documentPaths(scene: Scene, document: CurveDocument): DrawnOutlines {
   const [tolerance, sight] = [toleranceOf(scene), sightOf(scene)];
   const known = wholes.get(document);
@@ -88,8 +94,8 @@ export function isSeen(document: CurveDocument, part: Contour, sight: Bounds): b
 }
 
 /**
- * A part beyond one side of what is in sight is a straight line: it lies beyond that side, too, so that neither line nor
- * filled area differ in sight.
+ * A part beyond one side of what is in sight is a straight line: it lies beyond that side, too, so that neither line
+ * nor filled area differ in sight.
  */
 function pathWithin(scene: Scene, document: CurveDocument, contour: Contour, within: Bounds): Path2D {
   const parts = partsOf(document, contour);

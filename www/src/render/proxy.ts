@@ -1,7 +1,10 @@
 import type { Editor, EditorState } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 
-/** Buttons that stand for what the stage shows, for those who do not see it: each is at the place of a point and named as the hint line names it. */
+/**
+ * Buttons that stand for what the stage shows, for those who do not see it: each is at the place of a point and named
+ * as the hint line names it.
+ */
 export interface Proxy {
   readonly element: HTMLButtonElement;
   label: string;
@@ -32,7 +35,10 @@ export function showProxy(proxy: Proxy, label: string, { x, y }: { readonly x: n
   if (element.tabIndex !== tabIndex) element.tabIndex = tabIndex;
 }
 
-/** Makes the proxy of the selection, or the stage itself, the one tab stop. The focus follows, but only while it is in the stage. */
+/**
+ * Makes the proxy of the selection, or the stage itself, the one tab stop. The focus follows, but only while it is in
+ * the stage.
+ */
 export function stopAt(editor: Editor, surface: HTMLElement, target: HTMLElement = surface): void {
   surface.tabIndex = target === surface ? 0 : -1;
   const { activeElement } = document;

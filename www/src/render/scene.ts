@@ -71,7 +71,10 @@ export function addCubics(path: Path2D, cubics: Float64Array): void {
   }
 }
 
-/** The contour's path, within a twentieth of a pixel at this zoom; the tolerance moves in powers of two, so that zooming seldom makes a new path. */
+/**
+ * The contour's path, within a twentieth of a pixel at this zoom; the tolerance moves in powers of two, so that zooming
+ * seldom makes a new path.
+ */
 export function contourPath(scene: Scene, document: CurveDocument, contour: Contour): Path2D {
   return pathOfCubics(cubicsOf(document, contour, toleranceOf(scene)), contour.closed);
 }

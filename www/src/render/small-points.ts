@@ -19,7 +19,9 @@ const larger = 1.5;
 /** CSS pixels between discs that look like a line along them, and by how much that line may miss them. */
 const apart = 1;
 const missed = 0.1;
-/** Marks in a path: browsers fill ten thousand in a hundred paths in a third of the time that one path of them takes. */
+/**
+ * Marks in a path: browsers fill ten thousand in a hundred paths in a third of the time that one path of them takes.
+ */
 const marksInPath = 100;
 
 /** Paths for very many marks, of which none shows through another. */

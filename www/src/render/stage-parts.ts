@@ -27,7 +27,9 @@ export function mountHint(editor: Editor, element: HTMLElement, until: AbortSign
 
 const settleMs = 700;
 
-/** Announcements at once; the drawing's summary, and where what is chosen is now, when it has been still for a moment. */
+/**
+ * Announcements at once; the drawing's summary, and where what is chosen is now, when it has been still for a moment.
+ */
 export function mountLive(editor: Editor, live: HTMLElement, summary: HTMLElement, until: AbortSignal): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const summarise = (): void => {

@@ -110,7 +110,10 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   return { repaint, painters };
 }
 
-/** Most of what may lie over a curve is seldom shown, or not before a pointer is there: it comes when it is first to be shown. */
+/**
+ * Most of what may lie over a curve is seldom shown, or not before a pointer is there: it comes when it is first to be
+ * shown.
+ */
 function curvePainter(editor: Editor, repaint: () => void): Painter {
   const analysis = late(editor, explains, () => import("./layers/analysis.ts"), repaint);
   const many = late(editor, ({ curve }) => isCrowded(curve), () => import("./small-points.ts"), repaint);

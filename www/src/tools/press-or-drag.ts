@@ -1,6 +1,9 @@
 import { distanceBetween, dragThreshold, type Drag, type PointerSample, type Tool } from "../editor/tool.ts";
 
-/** What pointers do in every tool that picks things: nothing happens on the press; within the threshold the release is a click, beyond it a drag. */
+/**
+ * What pointers do in every tool that picks things: nothing happens on the press; within the threshold the release is a
+ * click, beyond it a drag.
+ */
 
 export interface Gestures<Hit> {
   /** What lies under the pointer as it is pressed. */

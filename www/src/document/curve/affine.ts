@@ -37,12 +37,17 @@ function mappedPlace(map: Affine, { x, y }: Place): Place {
   return { x: map.centre.x + dx, y: map.centre.y + dy };
 }
 
-/** A step, of which only the linear part counts; zero stays positive, so that documents compare equal after two flips. */
+/**
+ * A step, of which only the linear part counts; zero stays positive, so that documents compare equal after two flips.
+ */
 function mappedOffset({ a, b, c, d }: Affine, { dx, dy }: Offset): Offset {
   return { dx: a * dx + c * dy + 0, dy: b * dx + d * dy + 0 };
 }
 
-/** Points go where the map takes them, with their handles: of contours that are chosen as a whole the curve goes there too, exactly. */
+/**
+ * Points go where the map takes them, with their handles: of contours that are chosen as a whole the curve goes there
+ * too, exactly.
+ */
 export function transformPoints(name: string, selection: Selection, map: Affine, run?: string): Command {
   const mapped = (point: ControlPoint): ControlPoint => ({
     ...point,

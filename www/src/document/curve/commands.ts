@@ -17,7 +17,10 @@ export interface Command {
   readonly run?: string;
 }
 
-/** Changes the chosen points; contours without any of them stay the same objects, so that nothing of theirs is drawn anew. */
+/**
+ * Changes the chosen points; contours without any of them stay the same objects, so that nothing of theirs is drawn
+ * anew.
+ */
 export function withPoints(
   curve: CurveDocument, selection: Selection, change: (point: ControlPoint, ref: PointRef, contour: Contour) => ControlPoint,
 ): CurveDocument {

@@ -3,14 +3,19 @@ import {
 } from "../document.ts";
 import { kindOf, opposite, scaled } from "./offset.ts";
 
-/** Structure of a contour: turned round, opened, closed, begun elsewhere. Nothing here moves the curve unless its name says so. */
+/**
+ * Structure of a contour: turned round, opened, closed, begun elsewhere. Nothing here moves the curve unless its name
+ * says so.
+ */
 
 /** A point without handles. */
 export function plainPoint(x: number, y: number): ControlPoint {
   return { x: x + 0, y: y + 0, kind: "smooth", in: noOffset, out: noOffset };
 }
 
-/** The same contour with every frequency written down, so that opening or closing it does not change what "auto" means. */
+/**
+ * The same contour with every frequency written down, so that opening or closing it does not change what "auto" means.
+ */
 export function withPinnedOmega(curve: CurveDocument, contour: Contour): Contour {
   if (contour.omega !== undefined || contour.family === "interpolating") return contour;
   const omega: number[] = [];
@@ -168,7 +173,10 @@ function factor(omega: number): number {
   return omega < 1e-6 ? 0.5 : omega / (2 * Math.sin(omega));
 }
 
-/** Takes away the points that refining made above `level`; each handle grows with its segment. The shape stays if none of them was edited. */
+/**
+ * Takes away the points that refining made above `level`; each handle grows with its segment. The shape stays if none
+ * of them was edited.
+ */
 export function loweredContour(contour: Contour, level: number): Contour {
   const kept = contour.points.map((point, index) => ({ point, index })).filter(({ point }) => (point.level ?? 0) <= level);
   if (kept.length === contour.points.length || kept.length < 2) return contour;

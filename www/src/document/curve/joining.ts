@@ -26,7 +26,10 @@ function seam(end: ControlPoint, start: ControlPoint): ControlPoint {
   return { ...end, ...handles, kind: kindOf(handles) };
 }
 
-/** `before` goes on as `after`: at one point where they are no farther than `near` apart, else by a segment between them. */
+/**
+ * `before` goes on as `after`: at one point where they are no farther than `near` apart, else by a segment between
+ * them.
+ */
 function connected(before: Contour, after: Contour, space: Space, near: number): Contour | null {
   const [end, start] = [before.points.at(-1), after.points[0]];
   if (end === undefined || start === undefined) return null;

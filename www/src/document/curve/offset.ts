@@ -40,7 +40,10 @@ function follow(kind: Kind, moved: Offset, partner: Offset): Offset {
   }
 }
 
-/** The point with its handles brought in line with a kind; the mean direction is kept. `automatic` serves points without handles. */
+/**
+ * The point with its handles brought in line with a kind; the mean direction is kept. `automatic` serves points without
+ * handles.
+ */
 export function withKind(point: ControlPoint, kind: Kind, automatic: { in: Offset; out: Offset }): ControlPoint {
   if (kind === "cusp") return { ...point, kind };
   const arriving = lengthOfOffset(point.in);

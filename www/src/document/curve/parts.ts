@@ -4,10 +4,14 @@ import { opposite } from "./offset.ts";
 
 /**
  * Long contours in parts: open contours of some hundred segments each, which are the same objects as long as nothing of
- * theirs is another. What is known of a part stays while the others are edited, and what is out of sight is not looked at.
+ * theirs is another. What is known of a part stays while the others are edited, and what is out of sight is not looked
+ * at.
  */
 
-/** Segments of a part. Fewer would be more to look through for each picture, more would be more to compute for each edit. */
+/**
+ * Segments of a part. Fewer would be more to look through for each picture, more would be more to compute for each
+ * edit.
+ */
 export const partSegments = 512;
 
 interface Known {
@@ -20,7 +24,10 @@ const known = new WeakMap<Contour, Known>();
 /** The last part that began with a point: an edited contour has most of its points in common with the one before. */
 const begunWith = new WeakMap<ControlPoint, Contour>();
 
-/** A contour in parts, one behind the other; itself where it is short, or where its segments depend on more than their two points. */
+/**
+ * A contour in parts, one behind the other; itself where it is short, or where its segments depend on more than their
+ * two points.
+ */
 export function partsOf(curve: CurveDocument, contour: Contour): readonly Contour[] {
   const segments = segmentCount(contour);
   if (contour.family !== "hermite" || segments <= 2 * partSegments) return [contour];

@@ -5,7 +5,10 @@ import type { Root } from "../surface/surface.ts";
 
 const zero: Root = { re: 0, im: 0 };
 
-/** Written down, or from space, frequency and order: one 0, or two where the order is even, and pairs of multiples of the frequency. */
+/**
+ * Written down, or from space, frequency and order: one 0, or two where the order is even, and pairs of multiples of
+ * the frequency.
+ */
 export function rootsOf(curve: CurveDocument, contour: Contour): readonly Root[] {
   if (contour.roots !== undefined) return contour.roots;
   const order = contour.order ?? 3;

@@ -26,8 +26,8 @@ function turned(handle: Offset, from: Offset, to: Offset): Offset {
 }
 
 /**
- * Where points were moved, the lines that they end: handles at corners and open ends turn with them. Where a line goes on
- * smoothly into a curve it does not, since the curve would turn as well.
+ * Where points were moved, the lines that they end: handles at corners and open ends turn with them. Where a line goes
+ * on smoothly into a curve it does not, since the curve would turn as well.
  */
 export function withStraightLines(before: Contour, after: Contour, moved: readonly number[]): Contour {
   if (before.family !== "hermite") return after;

@@ -1,6 +1,9 @@
 import { lengthOf, omegaOf, type Contour, type ControlPoint, type CurveDocument } from "../document.ts";
 
-/** Two segments on either side of a point of a contour with tangents, as an open contour by themselves: nothing farther away depends on the point. */
+/**
+ * Two segments on either side of a point of a contour with tangents, as an open contour by themselves: nothing farther
+ * away depends on the point.
+ */
 export function stretchAround(document: CurveDocument, contour: Contour, index: number): { readonly contour: Contour; readonly index: number } {
   const count = contour.points.length;
   const first = contour.closed ? index - 2 : Math.max(0, index - 2);

@@ -1,6 +1,8 @@
 import { FileError } from "./error.ts";
 
-/** A value read from a file, and where it stood. Every reader below says what it wants and throws when it is not that. */
+/**
+ * A value read from a file, and where it stood. Every reader below says what it wants and throws when it is not that.
+ */
 export interface Found {
   readonly value: unknown;
   readonly path: string;

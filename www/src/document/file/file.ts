@@ -1,6 +1,6 @@
 /**
- * The file format: what the page saves, shares, keeps over a reload and takes back. Reading checks every field and copies
- * only what it knows, so that nothing else in a file can reach the page; writing is the plain JSON of the state.
+ * The file format: what the page saves, shares, keeps over a reload and takes back. Reading checks every field and
+ * copies only what it knows, so that nothing else in a file can reach the page; writing is the plain JSON of the state.
  */
 import {
   baseCount, modes, segmentCount, stateVersion,

@@ -1,6 +1,6 @@
 /**
- * Samples for Fit: outlines by formulas, with noise of a fixed seed on top, so that the truth is known. Each comes with its own good
- * settings.
+ * Samples for Fit: outlines by formulas, with noise of a fixed seed on top, so that the truth is known. Each comes with
+ * its own good settings.
  */
 import { fitDefaults, type FitDocument, type Pair } from "./fit.ts";
 import { coastline } from "./fit-coast.ts";

@@ -1,8 +1,8 @@
 import type { Pair } from "./fit.ts";
 
 /**
- * A word as somebody would sign it: "spline" in one go, then the dot of the i. Places that the pen passes, drawn through smoothly, slower
- * in the bends, as a hand is.
+ * A word as somebody would sign it: "spline" in one go, then the dot of the i. Places that the pen passes, drawn
+ * through smoothly, slower in the bends, as a hand is.
  */
 
 /** In units of the letters' height; y points down, the line is at 0. */
@@ -30,7 +30,10 @@ export function signature(): Pair[][] {
   return [through(word, 888), through(dot, 12)].map((stroke) => stroke.map(([x, y]) => [left + height * x, line + height * y * 0.95]));
 }
 
-/** `count` points on the centripetal curve of Catmull and Rom through the places: at even steps of its parameter, so dense in bends. */
+/**
+ * `count` points on the centripetal curve of Catmull and Rom through the places: at even steps of its parameter, so
+ * dense in bends.
+ */
 function through(places: readonly Pair[], count: number): Pair[] {
   const at = (i: number): Pair => places[Math.min(places.length - 1, Math.max(0, i))] ?? [0, 0];
   const knots = [0];

@@ -46,7 +46,10 @@ export interface NetWindow {
   readonly count: number;
 }
 
-/** A window of finer control points, each displaced from where the coarser ones put it. Without displacement it changes nothing. */
+/**
+ * A window of finer control points, each displaced from where the coarser ones put it. Without displacement it changes
+ * nothing.
+ */
 export interface Detail {
   readonly u: NetWindow;
   readonly v: NetWindow;

@@ -2,7 +2,10 @@ import { lengthOfOffset, scaled, turnAt, withKind } from "../curve/offset.ts";
 import type { Contour, ControlPoint, Offset } from "../document.ts";
 import { choiceAt, type CornerChoice } from "./trace.ts";
 
-/** Which points of a traced outline are corners: for the tracer to say, though it names places, not points; and for whoever knows better. */
+/**
+ * Which points of a traced outline are corners: for the tracer to say, though it names places, not points; and for
+ * whoever knows better.
+ */
 
 export interface CornerSearch {
   /** How far from a corner that was found its point may be. */
@@ -46,12 +49,18 @@ export function withDecided(contour: Contour, choices: readonly CornerChoice[]):
   return points.every((point, i) => point === contour.points[i]) ? contour : { ...contour, points };
 }
 
-/** As far as smoothing may take an outline off straight sides, in pixels: enough for a joint that can be seen and turned. */
+/**
+ * As far as smoothing may take an outline off straight sides, in pixels: enough for a joint that can be seen and
+ * turned.
+ */
 const offSides = 1;
 /** The share of a handle's movement that the curve follows, where it follows most. */
 const followed = 4 / 9;
 
-/** A corner with both handles on the line half-way between, each as long as keeps its side where it is, and no longer than it was. */
+/**
+ * A corner with both handles on the line half-way between, each as long as keeps its side where it is, and no longer
+ * than it was.
+ */
 function smoothed(contour: Contour, i: number, point: ControlPoint): ControlPoint {
   const [before, after] = [neighbour(contour, i, -1), neighbour(contour, i, 1)];
   const own = {
@@ -79,9 +88,9 @@ function handleTo(point: ControlPoint, handle: Offset, other: ControlPoint | nul
 }
 
 /**
- * The turned handle, as long as leaves the side in place where it follows most, a third of the way from here: moving the
- * handle's end by Δ moves that place by Δ · 4/9, and only what is across the side there can be seen. Beside a line that
- * length is 0, which would be a corner still: it is then what takes the side `offSides` away.
+ * The turned handle, as long as leaves the side in place where it follows most, a third of the way from here: moving
+ * the handle's end by Δ moves that place by Δ · 4/9, and only what is across the side there can be seen. Beside a line
+ * that length is 0, which would be a corner still: it is then what takes the side `offSides` away.
  */
 function nearSide(turned: Offset, old: Offset, point: ControlPoint, other: ControlPoint | null, facing: Offset | undefined): Offset {
   const [length, size] = [lengthOfOffset(old), lengthOfOffset(turned)];

@@ -4,7 +4,10 @@ import type { TraceSettings } from "./trace.ts";
 
 type Place = readonly [number, number];
 
-/** A closed outline as a polygon so fine that its corners cannot be seen: x and y in turn. Holes run the other way round. */
+/**
+ * A closed outline as a polygon so fine that its corners cannot be seen: x and y in turn. Holes run the other way
+ * round.
+ */
 export type Outline = Float64Array;
 
 /** Red, green and blue, 0 … 255. */

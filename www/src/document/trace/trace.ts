@@ -2,7 +2,9 @@ import type { Contour } from "../contour.ts";
 
 /** What Trace works on: a picture, how it is to be followed, and what was decided by hand. */
 
-/** What is followed: the border between dark and light, the places of steepest change, or the middle of thin strokes. */
+/**
+ * What is followed: the border between dark and light, the places of steepest change, or the middle of thin strokes.
+ */
 export type TraceSource = "brightness" | "edges" | "lines";
 
 export interface TraceSettings {

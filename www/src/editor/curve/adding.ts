@@ -4,8 +4,8 @@ import { filledTogether, type FilledDrawing } from "../../kernel/paths/filling.t
 import type { Editor } from "../editor.ts";
 
 /**
- * Adds contours to the drawing, or puts them in its place. What comes to others is chosen, ready to be moved from where it
- * lies over them; an import that is alone is looked at first, and brings its artboard.
+ * Adds contours to the drawing, or puts them in its place. What comes to others is chosen, ready to be moved from where
+ * it lies over them; an import that is alone is looked at first, and brings its artboard.
  */
 export function addDrawing(editor: Editor, name: string, drawing: FilledDrawing & Setting, how: "add" | "replace"): void {
   const isChosen = name === "Paste" || (how === "add" && editor.state.value.curve.contours.length > 0);

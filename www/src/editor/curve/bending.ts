@@ -5,13 +5,17 @@ import { noOffset, type Contour, type CurveDocument, type Offset, type PointRef,
 import { handleWeights, pointWeights } from "../../kernel/curve/bending.ts";
 
 /**
- * Pulling a segment by a place of its own: its two inner handles give way, and the place stays under the pointer. Near a smooth point they
- * have little hold on the curve: they would have to swing out far, and the curve would get a beak there. There the point goes along.
+ * Pulling a segment by a place of its own: its two inner handles give way, and the place stays under the pointer. Near
+ * a smooth point they have little hold on the curve: they would have to swing out far, and the curve would get a beak
+ * there. There the point goes along.
  */
 
 /** Nearer to a corner or an open end than this part of the segment, the place follows by a part of the way only. */
 const reach = 0.1;
-/** Nearer to a smooth point than this part of the segment, the point goes along: on the point all of the way, here not at all. */
+/**
+ * Nearer to a smooth point than this part of the segment, the point goes along: on the point all of the way, here not
+ * at all.
+ */
 const along = 0.18;
 
 export interface Segment {
@@ -26,7 +30,9 @@ function endsOf(contour: Contour, index: number): readonly [number, number] {
   return [index, (index + 1) % contour.points.length];
 }
 
-/** Whether a point can go along when the curve is pulled beside it: corners, open ends and ends of straight lines stay. */
+/**
+ * Whether a point can go along when the curve is pulled beside it: corners, open ends and ends of straight lines stay.
+ */
 function goesAlong(contour: Contour, index: number): boolean {
   const count = contour.points.length;
   const isEnd = !contour.closed && (index === 0 || index === count - 1);

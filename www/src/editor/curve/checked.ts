@@ -21,7 +21,10 @@ function isOnPaper(contour: Contour): boolean {
 /** Well inside the engine's own limit of 1e9, so that handles fit, too. */
 const farthest = 1e8;
 
-/** What the engine says against a document, or null. Building a curve is the check, and the cache keeps it for the next frame. */
+/**
+ * What the engine says against a document, or null. Building a curve is the check, and the cache keeps it for the next
+ * frame.
+ */
 export function objection(curve: CurveDocument, before: CurveDocument): Error | null {
   try {
     const known = curve.space === before.space && curve.omega === before.omega ? new Set(before.contours) : new Set();

@@ -9,7 +9,10 @@ import { largestMove } from "../../kernel/curve/samples.ts";
 import { activeContours, hasPlaces, isRefined, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
 import type { Editor } from "../editor.ts";
 
-/** Edits that change which points a contour has: one more, fewer, another number of them, another first one, the other way round, closed or open. */
+/**
+ * Edits that change which points a contour has: one more, fewer, another number of them, another first one, the other
+ * way round, closed or open.
+ */
 
 /** As many points as a file may bring. */
 const mostInserted = 100_000;

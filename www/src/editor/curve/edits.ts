@@ -78,7 +78,10 @@ export function setPoint(editor: Editor, ref: PointRef, place: { x?: number; y?:
   editor.dispatch(placePoint(ref, place, run));
 }
 
-/** Counter-clockwise from 3 o'clock, as people draw angles; the screen's y points down. What rounding puts just below the left is 180, not −180. */
+/**
+ * Counter-clockwise from 3 o'clock, as people draw angles; the screen's y points down. What rounding puts just below
+ * the left is 180, not −180.
+ */
 export function degreesOf({ dx, dy }: Offset): number {
   const degrees = (Math.atan2(0 - dy, dx) * 180) / Math.PI;
   return degrees < -179.995 ? 180 : degrees;
@@ -99,7 +102,10 @@ export function resetSelectedHandles(editor: Editor, selection: Selection = sele
   if (selection.points.length > 0) editor.dispatch(resetHandles(selection));
 }
 
-/** Moves what is chosen by so many of the drawing's units: the handle, if one is, else the points. A quick run of nudges is one entry. */
+/**
+ * Moves what is chosen by so many of the drawing's units: the handle, if one is, else the points. A quick run of nudges
+ * is one entry.
+ */
 export function nudge(editor: Editor, right: number, down: number): void {
   const { curve, selection } = editor.state.value;
   const { handle } = selection;

@@ -39,7 +39,10 @@ export function setFamily(editor: Editor, family: Family): void {
   say(editor, moved <= unnoticed ? `Converted without moving the curve${more}.` : `The curve moved by at most ${printed(moved)}${more}.`);
 }
 
-/** A closed contour of two points with one more in the middle of each segment, which changes nothing; any other as it is. */
+/**
+ * A closed contour of two points with one more in the middle of each segment, which changes nothing; any other as it
+ * is.
+ */
 function withEnoughPoints(document: CurveDocument, contour: Contour): Contour | null {
   if (contour.points.length < 2) return null;
   if (!contour.closed || contour.points.length > 2) return contour;

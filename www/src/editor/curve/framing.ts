@@ -83,13 +83,19 @@ function chosenPoints({ curve, selection }: EditorState): PagePoint[] {
   return selection.points.flatMap((ref) => pointAt(curve, ref) ?? []);
 }
 
-/** The middle of the frame, else of the chosen points: it stays where it is when they are flipped and stretched about it. */
+/**
+ * The middle of the frame, else of the chosen points: it stays where it is when they are flipped and stretched about
+ * it.
+ */
 function middleOf(state: EditorState): PagePoint | null {
   const box = frameOf({ ...state, tool: "select" }) ?? around(chosenPoints(state).map(boxAt));
   return box === null ? null : centreOf(box);
 }
 
-/** The mean of the chosen points: other than the middle of a frame it turns with them, so that a full turn in steps leads back. */
+/**
+ * The mean of the chosen points: other than the middle of a frame it turns with them, so that a full turn in steps
+ * leads back.
+ */
 function meanOf(state: EditorState): PagePoint | null {
   const points = chosenPoints(state);
   const sum = points.reduce((all, { x, y }) => ({ x: all.x + x, y: all.y + y }), { x: 0, y: 0 });

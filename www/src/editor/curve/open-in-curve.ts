@@ -5,7 +5,9 @@ import { routeOf } from "../route.ts";
 
 type Opened = Setting & Pick<CurveDocument, "contours">;
 
-/** Contours that another mode has made, as the drawing in Curve: a copy, seen from where one was, ready to be edited. */
+/**
+ * Contours that another mode has made, as the drawing in Curve: a copy, seen from where one was, ready to be edited.
+ */
 export function openInCurve(editor: Editor, name: string, { contours, ...setting }: Opened, says: (points: number) => string): void {
   const { view, curve: before } = editor.state.value;
   // A sample as it was opened is nobody's work.

@@ -35,7 +35,10 @@ export function measuresOf(state: EditorState): Readonly<Record<Measure, number 
   return { x: box.minX, y: box.minY, width: size(box.maxX - box.minX), height: size(box.maxY - box.minY) };
 }
 
-/** Moves the selection so that it begins there, or scales it from its left and top to that size. A run of typed steps is one entry. */
+/**
+ * Moves the selection so that it begins there, or scales it from its left and top to that size. A run of typed steps is
+ * one entry.
+ */
 export function setMeasure(editor: Editor, measure: Measure, value: number): void {
   const { selection } = editor.state.value;
   const now = measuresOf(editor.state.value);

@@ -11,7 +11,9 @@ export interface Brought {
   /** Of the history's entry. */
   readonly name: string;
   readonly strokes: readonly NewStroke[];
-  /** The largest error that the fit may have: what was drawn exactly has no noise that a smoothing could be measured by. */
+  /**
+   * The largest error that the fit may have: what was drawn exactly has no noise that a smoothing could be measured by.
+   */
   readonly within?: number;
   /** Beside a sample, which always gives way: whether everything else does too. */
   readonly instead?: "nothing" | "all";
@@ -52,8 +54,8 @@ const simpler = 1 / 400;
 const apart = 1 / 600;
 
 /**
- * Contours of files: points are what was measured, with y up as in a chart; curves are followed, and so are points that all end
- * exactly where they began: the rings of a map were drawn.
+ * Contours of files: points are what was measured, with y up as in a chart; curves are followed, and so are points that
+ * all end exactly where they began: the rings of a map were drawn.
  */
 export function bringContours(editor: Editor, contours: readonly Contour[], arePoints: boolean, more: Pick<Brought, "instead" | "setting"> & { readonly name?: string } = {}): void {
   const named = { name: "Import", ...more };

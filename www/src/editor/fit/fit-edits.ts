@@ -121,7 +121,10 @@ export function boxOf(data: readonly Pair[]): { minX: number; minY: number; maxX
   return box;
 }
 
-/** A sample as it was opened gives way to what is drawn or brought in, and its settings to the usual ones, but for those that somebody has set; what was worked on is added to. */
+/**
+ * A sample as it was opened gives way to what is drawn or brought in, and its settings to the usual ones, but for those
+ * that somebody has set; what was worked on is added to.
+ */
 export function base(fit: FitDocument): FitDocument {
   if (fit.sample === undefined) return fit;
   const set: Partial<FitDocument> = fitSample(fit.sample)?.settings ?? {};

@@ -12,7 +12,10 @@ export function degreeOf({ model, corners, target }: FitDocument): FitSubject["d
   return model === "cubic" || (!corners && target !== "error") ? 3 : [1, 3];
 }
 
-/** Whether it matters if corners are kept: straight pieces are nothing else, and smooth ones by a price of knots have none. */
+/**
+ * Whether it matters if corners are kept: straight pieces are nothing else, and smooth ones by a price of knots have
+ * none.
+ */
 export function choosesCorners({ model, target }: FitDocument): boolean {
   return model === "hybrid" || (model === "cubic" && target === "error");
 }
@@ -27,7 +30,10 @@ export function mostDifferent(fit: FitDocument): number {
   return Math.max(0, ...strokesOf(fit).map((stroke) => differentPoints(fit, stroke, leastPoints)));
 }
 
-/** What is to be fitted, or null where no stroke has enough points; with `parts`, the parts are wanted by themselves, too. */
+/**
+ * What is to be fitted, or null where no stroke has enough points; with `parts`, the parts are wanted by themselves,
+ * too.
+ */
 export function subjectOf(fit: FitDocument, parts: boolean): FitSubject | null {
   const strokes: FitInput[] = [];
   for (const [i, stroke] of strokesOf(fit).entries()) {

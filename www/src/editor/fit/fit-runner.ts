@@ -126,7 +126,10 @@ class Runner implements FitRunner {
     this.#keepShown();
   }
 
-  /** The curve before stays, and so does what was asked for it: of the same points, the settings are those of the curve that is shown. */
+  /**
+   * The curve before stays, and so does what was asked for it: of the same points, the settings are those of the curve
+   * that is shown.
+   */
   #keepShown(): void {
     const [shown, stopped, { fit }] = [this.#shown, this.#asked, this.#editor.state.value];
     if (!this.#cancelled || shown === null || shown.data !== fit.data) return;
@@ -150,7 +153,8 @@ function ensureFit(editor: Editor): void {
   const sample = fitSample(fit.sample) ?? fitSample(firstFitSample);
   if (sample === undefined) return;
   if (sample.id !== fit.sample) editor.notify({ kind: "toast", text: `There is no sample called ${fit.sample}.` });
-  // An address names it and nothing else: then its own settings are what it is to be seen with. A shared link has settings.
+  // An address names it and nothing else: then its own settings are what it is to be seen with. A shared link has
+  // settings.
   const named = Object.entries(fitDefaults).every(([key, value]) => fit[key as keyof typeof fitDefaults] === value);
   editor.fitEdits.amend(() => ({ fit: named ? opened(sample) : { ...fit, sample: sample.id, ...samplePoints(sample, fit.noise, fit.seed) } }));
   showData(editor, sampleZoom);

@@ -1,17 +1,29 @@
 import { emptyHistory, record, stepBack, stepForward, type History } from "../../document/history.ts";
 
-/** Undo and redo of a mode: one entry per gesture, values and selection together. `Also` is what may change in the same step as the drawing. */
+/**
+ * Undo and redo of a mode: one entry per gesture, values and selection together. `Also` is what may change in the same
+ * step as the drawing.
+ */
 export interface Timeline<M, Also = never> {
-  /** Applies a change: one entry, joined to the last when both belong to one quick run; part of the gesture if one is open. */
+  /**
+   * Applies a change: one entry, joined to the last when both belong to one quick run; part of the gesture if one is
+   * open.
+   */
   dispatch(name: string, change: (now: M) => M, run?: string): void;
   /** Sets what is there without an entry: nothing that anybody did. */
   settle(moment: M): void;
   /** Opens a gesture: everything until `commit` is one entry. */
   begin(name: string): void;
-  /** Applies the change to the state at `begin`, so that a drag is always evaluated from its start; nothing once it was taken back. */
+  /**
+   * Applies the change to the state at `begin`, so that a drag is always evaluated from its start; nothing once it was
+   * taken back.
+   */
   preview(change: (start: M) => M, also?: Also): void;
   commit(): void;
-  /** Changes what is there without an entry: a value that follows from others (a slider that shows what a target led to). */
+  /**
+   * Changes what is there without an entry: a value that follows from others (a slider that shows what a target led
+   * to).
+   */
   amend(change: (now: M) => M): void;
   /** Back to the state at `begin`; no entry. */
   bail(): void;

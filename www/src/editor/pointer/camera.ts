@@ -28,7 +28,10 @@ export interface StageBox {
   readonly height: number;
 }
 
-/** 5 % and 6400 %, and beyond them as far as the drawing is larger or smaller than drawings are: all of it can be seen, and its parts too. */
+/**
+ * 5 % and 6400 %, and beyond them as far as the drawing is larger or smaller than drawings are: all of it can be seen,
+ * and its parts too.
+ */
 function limitsFor(box: Box | null): readonly [least: number, most: number] {
   const size = box === null ? 0 : Math.max(box.maxX - box.minX, box.maxY - box.minY);
   return size > 0 ? [Math.min(0.05, 40 / size), Math.min(mostAcross / size, Math.max(64, Math.min(1e9, 16_000 / size)))] : [0.05, 64];
@@ -68,10 +71,14 @@ export function panned(view: View, dx: number, dy: number): View {
 /** What views were made to show. */
 const fittings = new WeakMap<View, readonly [box: Box, most: number, share: number]>();
 
-/** A view that shows the whole box, never closer than `most`; handles and what lies over the stage have a share of it on every side. */
+/**
+ * A view that shows the whole box, never closer than `most`; handles and what lies over the stage have a share of it on
+ * every side.
+ */
 export function fitted(box: Box, stage: StageBox, most = Infinity, share = 0.1): View {
   const margin = Math.max(24, Math.min(stage.width, stage.height) * share);
-  // The hint, in two lines where the stage is low, and the zoom box are below; on a phone the zoom box is above, and two lines of hint over the tools are below.
+  // The hint, in two lines where the stage is low, and the zoom box are below; on a phone the zoom box is above, and
+  // two lines of hint over the tools are below.
   const [above = 0, below = 0] = (stage.width < 600 ? [64, 112] : [48, 60]).map((least) => Math.max(margin, Math.min(least, stage.height * 0.35)));
   const wide = Math.max(1, stage.width - 2 * margin) / Math.max(1e-9, box.maxX - box.minX);
   const high = Math.max(1, stage.height - above - below) / Math.max(1e-9, box.maxY - box.minY);
@@ -81,7 +88,9 @@ export function fitted(box: Box, stage: StageBox, most = Infinity, share = 0.1):
   return view;
 }
 
-/** A view for a stage of another size: what was fitted stays in sight, what somebody has moved stays where it was put. */
+/**
+ * A view for a stage of another size: what was fitted stays in sight, what somebody has moved stays where it was put.
+ */
 export function resized(view: View, stage: StageBox): View {
   const [box, most, share] = fittings.get(view) ?? [];
   return box === undefined || most === undefined ? view : fitted(box, stage, most, share);

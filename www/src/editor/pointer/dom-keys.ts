@@ -22,7 +22,10 @@ export function listenToKeys(options: KeyOptions): void {
   window.addEventListener("blur", () => keys.upAll(), { signal });
 }
 
-/** "nowhere" is the page itself; whoever keeps the keys (a dialog, a menu) leaves none to the stage, and a text field few. */
+/**
+ * "nowhere" is the page itself; whoever keeps the keys (a dialog, a menu) leaves none to the stage, and a text field
+ * few.
+ */
 type Focus = "stage" | "nowhere" | "widget" | "keeper" | "field";
 
 function focusIn(surface: HTMLElement, mod: boolean): Focus {
@@ -102,7 +105,9 @@ class Keys {
     return true;
   }
 
-  /** Files, for what is typed belongs to them; and where the field's number is in force already, Undo means the drawing. */
+  /**
+   * Files, for what is typed belongs to them; and where the field's number is in force already, Undo means the drawing.
+   */
   #fromField(event: KeyboardEvent): void {
     const field = document.activeElement as HTMLInputElement;
     const action = actionOf(this.#editor, event);

@@ -23,7 +23,10 @@ interface Candidate {
   readonly ref: PointRef;
 }
 
-/** What is nearest by each of the three measures: onto the place, in a column with it, level with it. Of two as near, the later. */
+/**
+ * What is nearest by each of the three measures: onto the place, in a column with it, level with it. Of two as near,
+ * the later.
+ */
 function nearestOthers(curve: CurveDocument, moving: Selection, at: PagePoint, reach: number): Record<"onto" | "column" | "row", Candidate | null> {
   const found: { onto: PointRef | null; column: PointRef | null; row: PointRef | null } = { onto: null, column: null, row: null };
   let [onto, column, row] = [reach, reach, reach];

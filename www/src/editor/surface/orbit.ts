@@ -1,6 +1,9 @@
 import type { ScreenPoint, StageBox } from "../pointer/camera.ts";
 
-/** The camera of the surface: it looks at a place from a distance, with z up. Everything that is on the screen is put there by these formulas. */
+/**
+ * The camera of the surface: it looks at a place from a distance, with z up. Everything that is on the screen is put
+ * there by these formulas.
+ */
 
 export type Vector = readonly [number, number, number];
 

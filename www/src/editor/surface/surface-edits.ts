@@ -18,7 +18,10 @@ export function patchSolid(editor: Editor, change: Partial<SolidState>): void {
   editor.patch({ solid: { ...editor.state.value.solid, ...change } });
 }
 
-/** The sample that the document only names is opened, and what no library could draw gives way to it: no entry in the history. */
+/**
+ * The sample that the document only names is opened, and what no library could draw gives way to it: no entry in the
+ * history.
+ */
 export function ensureSurface(editor: Editor): void {
   const { surface, solid } = editor.state.value;
   if (surface.net.length > 0 && isDrawable(editor, surface)) {

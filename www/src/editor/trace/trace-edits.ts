@@ -147,7 +147,10 @@ export function sizeOf({ trace }: EditorState): { readonly width: number; readon
   return trace.picture ?? trace.kept ?? traceSample(trace.sample ?? "") ?? null;
 }
 
-/** An icon of 16 pixels is shown as large as a drawing of its outlines would be; a picture of four is not all over the stage. */
+/**
+ * An icon of 16 pixels is shown as large as a drawing of its outlines would be; a picture of four is not all over the
+ * stage.
+ */
 const mostZoom = 40;
 
 /** The whole picture in view, with room around. */

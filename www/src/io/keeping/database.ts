@@ -33,7 +33,9 @@ function opened(): Promise<IDBDatabase> {
   return opening;
 }
 
-/** How long one answer may take. Another page that was frozen in the middle of a write can hold the database for good. */
+/**
+ * How long one answer may take. Another page that was frozen in the middle of a write can hold the database for good.
+ */
 const limitMs = 5000;
 
 /** What gives up each piece of work that is under way. */
@@ -55,7 +57,10 @@ export function takeUp(): void {
   left = false;
 }
 
-/** Resolves when what was asked for has been written, or read; rejects when that takes too long, or the page is left meanwhile. */
+/**
+ * Resolves when what was asked for has been written, or read; rejects when that takes too long, or the page is left
+ * meanwhile.
+ */
 function within<T>(mode: IDBTransactionMode, work: (store: IDBObjectStore) => () => T): Promise<T> {
   return new Promise<T>((resolve, reject) => {
     let transaction: IDBTransaction | null = null;

@@ -2,7 +2,10 @@ import { readAll, remove, write, type KeptText } from "./database.ts";
 import { byAge, generationOf, sessionOf, unseal } from "./sealed.ts";
 import { keysOf, localStore, markKept } from "./store.ts";
 
-/** What is kept, wherever: the database has all of it, and the local store what was written when there was no time, or no database. */
+/**
+ * What is kept, wherever: the database has all of it, and the local store what was written when there was no time, or
+ * no database.
+ */
 
 function inLocalStore(): KeptText[] {
   const storage = localStore();
@@ -67,7 +70,10 @@ async function written(kept: KeptText): Promise<boolean | "full"> {
   return true;
 }
 
-/** Keeps a text: in the database, else in the local store. Says whether it is kept. Only for want of room other sessions give way. */
+/**
+ * Keeps a text: in the database, else in the local store. Says whether it is kept. Only for want of room other sessions
+ * give way.
+ */
 export async function keep(kept: KeptText): Promise<boolean> {
   let done = await written(kept);
   if (done === "full") {

@@ -13,7 +13,10 @@ export interface Kept {
   readonly damaged?: { readonly text: string; forget(): Promise<void> };
 }
 
-/** The newest drawing of which a generation can still be read, of one session before all others; null where there is none. */
+/**
+ * The newest drawing of which a generation can still be read, of one session before all others; null where there is
+ * none.
+ */
 export async function newestKept(own: string | null): Promise<Kept | null> {
   const all = await allKept();
   const whole = all.flatMap((kept) => unseal(kept) ?? []).sort((a, b) => Number(b.session === own) - Number(a.session === own) || byAge(a, b));
@@ -27,7 +30,9 @@ export async function newestKept(own: string | null): Promise<Kept | null> {
   return null;
 }
 
-/** Null for what is damaged in a way that the checksum does not see, or from a newer page: another generation serves. */
+/**
+ * Null for what is damaged in a way that the checksum does not see, or from a newer page: another generation serves.
+ */
 function read(json: string): { readonly state: DemoState } | null {
   try {
     return parseState(json);

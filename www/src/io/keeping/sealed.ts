@@ -1,7 +1,10 @@
 import type { KeptText } from "./database.ts";
 import { prefix } from "./store.ts";
 
-/** A kept drawing as it is written: which generation of which session it is, when it was made, and a checksum over all of it. */
+/**
+ * A kept drawing as it is written: which generation of which session it is, when it was made, and a checksum over all
+ * of it.
+ */
 export interface Sealed {
   readonly key: string;
   readonly session: string;
@@ -11,7 +14,10 @@ export interface Sealed {
   readonly json: string;
 }
 
-/** FNV-1a over the UTF-16 units: enough to tell a torn or flipped write from a whole one. Goes on with what a text before had. */
+/**
+ * FNV-1a over the UTF-16 units: enough to tell a torn or flipped write from a whole one. Goes on with what a text
+ * before had.
+ */
 function hashed(text: string, before = 0x811c9dc5): number {
   let hash = before;
   for (let i = 0; i < text.length; i += 1) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);

@@ -31,7 +31,10 @@ export function markKept(storage: Storage | null): void {
 
 const tabKey = "expline.tab";
 
-/** What this tab shows, for when it is loaded again: the session that keeps its work, or the link that it was opened with. */
+/**
+ * What this tab shows, for when it is loaded again: the session that keeps its work, or the link that it was opened
+ * with.
+ */
 export function rememberTab(what: string): void {
   try {
     sessionStorage.setItem(tabKey, what);

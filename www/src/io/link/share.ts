@@ -1,4 +1,7 @@
-/** Links: the state after `#s=`, as base64url of raw deflate of JSON. Nothing leaves the page, and a server never sees it. */
+/**
+ * Links: the state after `#s=`, as base64url of raw deflate of JSON. Nothing leaves the page, and a server never sees
+ * it.
+ */
 import type { DemoState } from "../../document/document.ts";
 import { parseState } from "../../document/file/file.ts";
 import { Problem } from "../../document/problem.ts";

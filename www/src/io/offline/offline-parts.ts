@@ -1,6 +1,6 @@
 /**
- * Who comes back may want the rest of the page without a network, too: modes and dialogs that were never opened. What an
- * earlier version of the page was made of goes.
+ * Who comes back may want the rest of the page without a network, too: modes and dialogs that were never opened. What
+ * an earlier version of the page was made of goes.
  */
 export async function keepEveryPart(cache: Cache): Promise<void> {
   if ("connection" in navigator && (navigator.connection as { readonly saveData?: boolean }).saveData === true) return;

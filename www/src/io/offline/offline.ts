@@ -4,8 +4,8 @@
 const kept = "expline";
 
 /**
- * Asks the browser to keep the page as it was loaded. Nothing waits for it, and where it is not possible (a private window, no
- * secure origin, no room) the page is simply not there without a network.
+ * Asks the browser to keep the page as it was loaded. Nothing waits for it, and where it is not possible (a private
+ * window, no secure origin, no room) the page is simply not there without a network.
  */
 export async function keepForOffline(): Promise<void> {
   if (!window.isSecureContext || !("serviceWorker" in navigator)) return;

@@ -6,10 +6,16 @@ import { reachOf, type Line } from "../../document/painted.ts";
 const mostSide = 16_384;
 const mostPixels = 16_777_216;
 const margin = 16;
-/** An icon of 24 units would be a thumbnail, and its lines as thick as itself: it is drawn as if it were as large as this. */
+/**
+ * An icon of 24 units would be a thumbnail, and its lines as thick as itself: it is drawn as if it were as large as
+ * this.
+ */
 const leastSize = 256;
 
-/** Of a larger one, in units that programs count by the thousand, browsers draw no picture: it is drawn as if it were as small as this, a margin included. */
+/**
+ * Of a larger one, in units that programs count by the thousand, browsers draw no picture: it is drawn as if it were as
+ * small as this, a margin included.
+ */
 const mostSize = Math.sqrt(mostPixels) - 2 * margin;
 
 /** Of a drawing that is neither. */

@@ -23,7 +23,10 @@ export function numberIn(cell: string | undefined): number {
 const opening = /^[|([{\s]*/u;
 const closing = /[|)\]};,\s]/u;
 
-/** Without the brackets, bars and blanks around it; a tab among them stays, for it has a cell with nothing in it on its other side. */
+/**
+ * Without the brackets, bars and blanks around it; a tab among them stays, for it has a cell with nothing in it on its
+ * other side.
+ */
 function withoutEnds(line: string): string {
   const start = opening.exec(line)?.[0].length ?? 0;
   let end = line.length;
@@ -32,7 +35,10 @@ function withoutEnds(line: string): string {
   return tabIn(line.slice(0, start)) + line.slice(start, end) + tabIn(line.slice(end));
 }
 
-/** Beside a semicolon, a tab or a bar a comma is that of a decimal fraction; so it is where blanks part two such fractions. */
+/**
+ * Beside a semicolon, a tab or a bar a comma is that of a decimal fraction; so it is where blanks part two such
+ * fractions.
+ */
 export function cellsOf(line: string): string[] {
   const bare = withoutEnds(line).replace(/\u2212/gu, "-");
   const parts = /[;\t|]/u.test(bare) ? bare.replaceAll(",", ".").split(/[;\t|]/u)

@@ -8,7 +8,9 @@ const listed = /^(?:(?:np\.)?array\()?\s*[[(]\s*(?:[[({]|[-+.\d])|^\{\s*["']?(?:
 
 export const beginsAsList = (text: string): boolean => listed.test(text);
 
-/** As JSON would have it: brackets of one kind, commas between, names in quotation marks, `null` for what is no number. */
+/**
+ * As JSON would have it: brackets of one kind, commas between, names in quotation marks, `null` for what is no number.
+ */
 function asJson(text: string): string {
   return text.trim().replace(/[;,\s]+$/u, "")
     .replace(/\b(?:np\.)?array\b|\bdtype\s*=\s*[\w.]+/gu, "").replace(/\(/gu, "[").replace(/\)/gu, "]")

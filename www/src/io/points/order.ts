@@ -11,7 +11,10 @@ const distinct = 0.9;
 /** So many times as long is the way through rows in no order. */
 const longer = 4;
 
-/** The rows from left to right where they are a function of x whose rows lie in no order; null where they are as they should be. */
+/**
+ * The rows from left to right where they are a function of x whose rows lie in no order; null where they are as they
+ * should be.
+ */
 export function sortedRows(points: readonly Pair[]): readonly Pair[] | null {
   if (points.length < leastRows || turns(points) < turning * points.length) return null;
   if (new Set(points.map(([x]) => x)).size < distinct * points.length) return null;

@@ -53,7 +53,10 @@ function hasNumbers(cells: readonly string[]): boolean {
   return cells.some((cell) => !Number.isNaN(numberIn(cell)));
 }
 
-/** Whether this begins as a table does: below any heading, one row and another, with as many cells and numbers at the same places. */
+/**
+ * Whether this begins as a table does: below any heading, one row and another, with as many cells and numbers at the
+ * same places.
+ */
 export function beginsAsTable(text: string): boolean {
   const { rows: [one, other] } = tableOf(text);
   if (one === undefined || other === undefined || one.cells.length < 2 || one.cells.length !== other.cells.length) return false;

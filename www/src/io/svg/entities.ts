@@ -4,8 +4,8 @@ import { overLimit, SvgFileError, type SvgLimits } from "./limits.ts";
 const plain = /<!ENTITY\s+([\w.-]+)\s+(?:"([^"<>&%']*)"|'([^'<>&%"]*)')\s*>/gu;
 
 /**
- * The text with the entities of its document type written out. Only such as stand for plain text: none that holds another,
- * names a file or has markup in it, so that nothing multiplies and no element comes out of one.
+ * The text with the entities of its document type written out. Only such as stand for plain text: none that holds
+ * another, names a file or has markup in it, so that nothing multiplies and no element comes out of one.
  */
 export function withoutEntities(text: string, doctype: string, limits: SvgLimits): string {
   const values = new Map(Array.from(doctype.matchAll(plain), ([, name = "", double, single]) => [name, double ?? single ?? ""]));

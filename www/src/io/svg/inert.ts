@@ -1,6 +1,9 @@
 import { skipDeclaration, tagEnd } from "./scan.ts";
 
-/** What style sheets and `style` attributes are called while the browser parses them; as long, so that places in the file stay. */
+/**
+ * What style sheets and `style` attributes are called while the browser parses them; as long, so that places in the
+ * file stay.
+ */
 export const inertStyle = "x-css";
 
 const quoted = `"[^"]*"|'[^']*'`;
@@ -10,8 +13,8 @@ const handlerName = "(?<![\\w.:=<-])on(?=[a-z]+\\s*=)";
 const named = new RegExp(`${quoted}|(${styleName})|(${handlerName})`, "giu");
 
 /**
- * The markup with its styles and handlers of events under other names: browsers look into them even in documents that are
- * never shown, and where a page's policy forbids them, they report a violation.
+ * The markup with its styles and handlers of events under other names: browsers look into them even in documents that
+ * are never shown, and where a page's policy forbids them, they report a violation.
  */
 export function withInertNames(text: string): string {
   let [made, from] = ["", 0];

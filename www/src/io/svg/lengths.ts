@@ -3,7 +3,10 @@ import type { Declared } from "./style/declared.ts";
 
 export type Warn = (code: SvgWarningCode, element: Element) => void;
 
-/** CSS pixels per unit, for the units that do not depend on anything outside the file; text is of the size that browsers begin with. */
+/**
+ * CSS pixels per unit, for the units that do not depend on anything outside the file; text is of the size that browsers
+ * begin with.
+ */
 const units: ReadonlyMap<string, number> = new Map([
   ["", 1],
   ["px", 1],

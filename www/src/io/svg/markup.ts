@@ -10,8 +10,9 @@ const braces = /\s[\w:-]+=\{|\s\{\.\.\./u;
 const inBraces = /=\{\s*(["'])([^"'{}]*)\1\s*\}/gu;
 
 /**
- * The root of an SVG document, or of the picture in what people copy out of programs: JSX, an element of HTML with an `svg`
- * in it, a `path` alone, which is no whole picture. The browser's own parsers read it into a document that is never attached to the page.
+ * The root of an SVG document, or of the picture in what people copy out of programs: JSX, an element of HTML with an
+ * `svg` in it, a `path` alone, which is no whole picture. The browser's own parsers read it into a document that is
+ * never attached to the page.
  */
 export function rootOf(source: string, limits: SvgLimits): { readonly root: Element; readonly isWhole: boolean } {
   const text = withInertNames(checkMarkup(source, limits));

@@ -97,7 +97,10 @@ export function readSvg(source: string, boundsOf: BoundsOf = () => null, alongOf
   return { shapes: seenOf(reading.shapes), picture: reading.picture, warnings };
 }
 
-/** The frame that icons have around them is neither filled nor stroked. Where all are so, a page's style was to paint them. */
+/**
+ * The frame that icons have around them is neither filled nor stroked. Where all are so, a page's style was to paint
+ * them.
+ */
 function seenOf(shapes: readonly SvgShape[]): readonly SvgShape[] {
   const seen = shapes.filter(({ fill, stroke }) => fill !== null || stroke !== null);
   return seen.length === 0 ? shapes : seen;

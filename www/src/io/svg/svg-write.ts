@@ -33,7 +33,9 @@ export interface SvgOptions extends Subject {
   readonly filling?: Filling;
 }
 
-/** The artboard; what reaches out of it, and what has none, is rounded outwards: an artboard moves as little as can be. */
+/**
+ * The artboard; what reaches out of it, and what has none, is rounded outwards: an artboard moves as little as can be.
+ */
 function viewBoxOf({ minX, minY, maxX, maxY }: Box, board: Artboard | undefined, margin: number, decimals: number): [number, number, number, number] {
   const step = Math.max(10 ** -decimals, roundingFor({ minX, minY, maxX, maxY }) / (board === undefined ? 1 : 10));
   const side = (value: number, ofBoard: number | undefined, way: "floor" | "ceil"): number =>

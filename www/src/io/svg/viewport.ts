@@ -67,8 +67,8 @@ export function pictureOf(root: Element): Box | null {
 }
 
 /**
- * The frame of an `svg` inside another, or of a symbol: as large as the `use` that draws it says, or as it says itself, or all
- * of what is around. Null if it has no area, where nothing of it is drawn.
+ * The frame of an `svg` inside another, or of a symbol: as large as the `use` that draws it says, or as it says itself,
+ * or all of what is around. Null if it has no area, where nothing of it is drawn.
  */
 export function innerViewport(element: Element, around: Size, byUse: Wanted, warn: Warn): Viewport | null {
   const measures = { css: nothingDeclared, around, warn };

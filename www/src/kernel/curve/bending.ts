@@ -4,7 +4,10 @@ import { hermiteOf } from "./curve-cache.ts";
 
 /** What points and handles weigh at a place of the curve: how far it goes with them. */
 
-/** How far the place at `x` of a segment goes with a step of one of its leaving handle, and with one of its arriving handle. */
+/**
+ * How far the place at `x` of a segment goes with a step of one of its leaving handle, and with one of its arriving
+ * handle.
+ */
 export function handleWeights(document: CurveDocument, contour: Contour, segment: number, x: number): readonly [number, number] {
   const curve = hermiteOf(document, contour);
   if (curve === null) return [0, 0];
@@ -16,10 +19,13 @@ export function handleWeights(document: CurveDocument, contour: Contour, segment
   return [(3 * leaving) / length, (-3 * arriving) / length];
 }
 
-/** How far the place at `x` of a segment goes with a step of the point before it, and with one of the point behind it. */
+/**
+ * How far the place at `x` of a segment goes with a step of the point before it, and with one of the point behind it.
+ */
 export function pointWeights(document: CurveDocument, contour: Contour, segment: number, x: number): readonly [number, number] {
   const length = lengthOf(contour, segment);
-  // A segment is linear in its two points: one that is nothing but a unit of one in x and of the other in y shows what each of them weighs.
+  // A segment is linear in its two points: one that is nothing but a unit of one in x and of the other in y shows what
+  // each of them weighs.
   const points = [[1, 0], [0, 1]].map(([x = 0, y = 0]): ControlPoint => ({ x, y, kind: "cusp", in: noOffset, out: noOffset }));
   const { space } = contour;
   const probe: Contour = { family: "hermite", closed: false, points, lengths: [length], omega: [omegaOf(document, contour, segment)], ...(space === undefined ? {} : { space }) };

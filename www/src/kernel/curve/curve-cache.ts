@@ -19,7 +19,10 @@ export type AnyCurve = HermiteCurve | InterpolatingCurve | BSplineCurve | LocalC
 
 const cache = new WeakMap<Contour, Cached>();
 
-/** The contour as a curve of the library, or null while it has fewer than two points. Throws `ExplineError` when the library refuses it. */
+/**
+ * The contour as a curve of the library, or null while it has fewer than two points. Throws `ExplineError` when the
+ * library refuses it.
+ */
 export function curveOf(document: CurveDocument, contour: Contour): AnyCurve | null {
   if (contour.points.length < 2) return null;
   const space = contour.space ?? document.space;

@@ -47,7 +47,10 @@ export function finerInterpolating(document: CurveDocument, contour: Contour, do
 /** What a contour was refined from: without an edit since, the way back is exact. */
 const grownFrom = new WeakMap<Contour, Contour>();
 
-/** The contour at a coarser level: as it was, or (edited since) the curve of that level that is nearest to it; at level 0 the one through the same places. */
+/**
+ * The contour at a coarser level: as it was, or (edited since) the curve of that level that is nearest to it; at level
+ * 0 the one through the same places.
+ */
 export function coarserInterpolating(document: CurveDocument, contour: Contour, level: number): Contour {
   const step = level === 0 ? undefined : 0.5 ** level;
   for (let known = grownFrom.get(contour); known !== undefined; known = grownFrom.get(known)) if (known.grid?.step === step) return known;
@@ -65,7 +68,10 @@ export function coarserInterpolating(document: CurveDocument, contour: Contour, 
   return next;
 }
 
-/** A refined contour opened or closed: the grid of an open one ends elsewhere, so it is refined again. And how far the curve is without what was finer. */
+/**
+ * A refined contour opened or closed: the grid of an open one ends elsewhere, so it is refined again. And how far the
+ * curve is without what was finer.
+ */
 export function closedRefined(document: CurveDocument, contour: Contour, closed: boolean): { contour: Contour; moved: number } {
   const base = coarserInterpolating(document, contour, 0);
   const doublings = Math.round(-Math.log2(contour.grid?.step ?? 1));

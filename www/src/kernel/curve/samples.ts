@@ -122,7 +122,10 @@ export function documentBounds(document: CurveDocument): Bounds | null {
   return box;
 }
 
-/** Points at uniform parameters, from 0 on where the curve is closed: the grid of a refined one may begin before or after that. */
+/**
+ * Points at uniform parameters, from 0 on where the curve is closed: the grid of a refined one may begin before or
+ * after that.
+ */
 function fromZero(document: CurveDocument, contour: Contour, count: number): Float64Array {
   const curve = curveOf(document, contour);
   if (curve === null) return nothing;

@@ -20,8 +20,8 @@ export function diagonalOf(drawing: CurveDocument, contours: readonly Contour[])
 }
 
 /**
- * Contours as strokes of points, so far from each other as there is room for; closed ones with their first point again at
- * the end. The points of the contours are among them, so that no corner is cut.
+ * Contours as strokes of points, so far from each other as there is room for; closed ones with their first point again
+ * at the end. The points of the contours are among them, so that no corner is cut.
  */
 export function placesAlong(drawing: CurveDocument, contours: readonly Contour[], apart: number, most: number): NewStroke[] {
   const lengths = contours.map((contour) => curveOf(drawing, contour)?.length() ?? 0);

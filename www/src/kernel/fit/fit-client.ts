@@ -2,8 +2,8 @@ import { createDesk, createWaiters, type Desk, type LossCode } from "../worker-d
 import type { FitAnswer, FitRequest, FitStrength, FitSubject, PlainFit } from "./job.ts";
 
 /**
- * Fits in a worker: the newest request counts, one is under way at a time, and an older result never replaces a newer one.
- * A worker that dies is replaced once for a request; what it was asked for is known here.
+ * Fits in a worker: the newest request counts, one is under way at a time, and an older result never replaces a newer
+ * one. A worker that dies is replaced once for a request; what it was asked for is known here.
  */
 
 export interface FitHandlers {
@@ -72,7 +72,8 @@ class Client implements FitClient {
     this.#serial += 1;
     const asked = { id: this.#serial, strength, live, what };
     if (this.#running === null) return this.#begin(asked);
-    // A step of a drag waits for the one before, so that something is always to be seen; a settled request does not wait.
+    // A step of a drag waits for the one before, so that something is always to be seen; a settled request does not
+    // wait.
     this.#waiting = asked;
     if (!live || this.#running.what !== what) this.#desk.post({ kind: "stop" });
   }
@@ -127,7 +128,10 @@ class Client implements FitClient {
     this.#waiters.settle();
   }
 
-  /** A dead worker's request is tried once more in a new one. Where it only filled the chart, the fit that is shown stands. */
+  /**
+   * A dead worker's request is tried once more in a new one. Where it only filled the chart, the fit that is shown
+   * stands.
+   */
   #replace(code: LossCode, message: string): void {
     this.#dismiss();
     const lost = this.#waiting ?? this.#running;

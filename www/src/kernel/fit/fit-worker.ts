@@ -1,4 +1,7 @@
-/** The worker that fits: one subject at a time, the newest request first, and the chart while there is nothing else to do. */
+/**
+ * The worker that fits: one subject at a time, the newest request first, and the chart while there is nothing else to
+ * do.
+ */
 import init, { ExplineError, fitSparseAsync, initFit, SparseFitter, type HermiteCurve, type SparseFit, type SparseFitOptions } from "expline/slim";
 import wasmUrl from "expline/expline_bg.wasm?url";
 import fitUrl from "expline/expline_fit_bg.wasm?url";
@@ -60,7 +63,10 @@ async function solve(strength: FitStrength, live: boolean, signal: AbortSignal, 
   return fits;
 }
 
-/** The straight and the smooth part of each stroke, before knots are joined to one curve; none where no smoothing was asked for. */
+/**
+ * The straight and the smooth part of each stroke, before knots are joined to one curve; none where no smoothing was
+ * asked for.
+ */
 async function partsOf(fits: readonly SparseFit[], signal: AbortSignal): Promise<readonly HermiteCurve[][]> {
   const all: HermiteCurve[][] = [];
   for (const [i, { points, closed }] of what.strokes.entries()) {
@@ -110,7 +116,8 @@ async function fit(request: Extract<FitRequest, { kind: "fit" }>, signal: AbortS
 }
 
 async function chart(at: readonly number[], signal: AbortSignal): Promise<void> {
-  // From strong to weak, as those are the quickest; each is what the slider gives there, which fits within a drag only come near.
+  // From strong to weak, as those are the quickest; each is what the slider gives there, which fits within a drag only
+  // come near.
   for (const smoothing of [...at].sort((a, b) => b - a)) {
     const fits = await solve({ by: "smoothing", smoothing: smoothing / 100 }, false, signal, nobody);
     const sizes = what.strokes.map(({ points }) => points.length / 2);
@@ -132,7 +139,10 @@ function work(request: FitRequest, signal: AbortSignal): void | Promise<void> {
   }
 }
 
-/** What failed is said of a fit. A chart that was interrupted is asked for again; whatever else goes wrong, the next fit will say. */
+/**
+ * What failed is said of a fit. A chart that was interrupted is asked for again; whatever else goes wrong, the next fit
+ * will say.
+ */
 function refuse(request: FitRequest, error: unknown): void {
   if (request.kind !== "fit") return;
   const { id } = request;

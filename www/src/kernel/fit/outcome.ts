@@ -107,7 +107,10 @@ export function feetOf(stroke: FittedStroke): Float64Array {
 
 const placed = new WeakMap<FittedStroke, readonly Curve[]>();
 
-/** The straight part and the smooth part. Only their sum has a place of its own: each is moved to the middle of the curve. */
+/**
+ * The straight part and the smooth part. Only their sum has a place of its own: each is moved to the middle of the
+ * curve.
+ */
 export function partsInPlace(stroke: FittedStroke): readonly Curve[] {
   const known = placed.get(stroke);
   if (known !== undefined) return known;

@@ -5,7 +5,9 @@ import type { Contour, ControlPoint } from "../../document/document.ts";
 
 /** Outlines that are closed where they are filled, though their path data do not say so: one logo in ten has some. */
 
-/** Files are written with few decimals: ends nearer to each other than this, of the path's size, were meant to be one. */
+/**
+ * Files are written with few decimals: ends nearer to each other than this, of the path's size, were meant to be one.
+ */
 const nearly = 2e-4;
 
 /** How near ends are that are one. */
@@ -25,7 +27,10 @@ export function joinedNearly(contour: Contour, near: number): Contour {
   return met.closed ? met : contour;
 }
 
-/** The contour closed as a filled one is seen: by a straight line between its ends. A line of two points encloses nothing. */
+/**
+ * The contour closed as a filled one is seen: by a straight line between its ends. A line of two points encloses
+ * nothing.
+ */
 export function closedByLine(contour: Contour): Contour {
   if (contour.closed || isLine(contour)) return contour;
   const whole = closedByChord(contour);

@@ -7,8 +7,8 @@ import { around, boundsOf, type Bounds } from "../curve/samples.ts";
 import { coverage } from "../trace/raster.ts";
 
 /**
- * How a drawing of several shapes is filled as one. Even-odd stays wherever it shows the same: it does not ask which way a
- * contour runs, so that a hole drawn later is one.
+ * How a drawing of several shapes is filled as one. Even-odd stays wherever it shows the same: it does not ask which
+ * way a contour runs, so that a hole drawn later is one.
  */
 
 /** Contours that are filled together. */
@@ -146,7 +146,9 @@ function shown(flats: readonly Float64Array[], { columns, rows }: Pick<Grid, "co
   return coverage(flats, columns, rows, 1, rule);
 }
 
-/** What the shapes show: those of one fill the places that any of them has; of several fills one makes holes in another. */
+/**
+ * What the shapes show: those of one fill the places that any of them has; of several fills one makes holes in another.
+ */
 function painted(areas: readonly Area[], { columns, rows }: Grid): Float32Array {
   const byFill = new Map<string | null, Float32Array>();
   for (const { outlines, rule, fill } of areas) {
@@ -185,7 +187,10 @@ function difference(a: Float32Array, b: Float32Array): Difference {
   return { largest, sum };
 }
 
-/** The same area, with a winding number of 1 where nothing overlaps: holes run the other way, and every shape the same as all others. */
+/**
+ * The same area, with a winding number of 1 where nothing overlaps: holes run the other way, and every shape the same
+ * as all others.
+ */
 function turnedForWinding(area: Area): Area {
   const { outlines, rule } = area;
   const total = outlines.reduce((sum, outline) => sum + outline.area, 0);

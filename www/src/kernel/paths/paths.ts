@@ -7,7 +7,10 @@ import { shifted } from "./polylines.ts";
 
 const cubics = new WeakMap<Contour, { space: Space; omega: number | "auto"; tolerance: number; path: Float64Array }>();
 
-/** Eight numbers per cubic; an empty array while the contour has fewer than two points. Kept until the contour or the tolerance changes. */
+/**
+ * Eight numbers per cubic; an empty array while the contour has fewer than two points. Kept until the contour or the
+ * tolerance changes.
+ */
 export function cubicsOf(document: CurveDocument, contour: Contour, tolerance: number): Float64Array {
   const known = cubics.get(contour);
   if (known !== undefined && known.tolerance === tolerance && known.space === spaceOf(document, contour) && known.omega === document.omega) return known.path;
@@ -20,7 +23,10 @@ function spaceOf(document: CurveDocument, contour: Contour): Space {
   return contour.space ?? document.space;
 }
 
-/** A contour that was moved as a whole has the cubics of the old one, moved along: a drawing of thousands follows the pointer. */
+/**
+ * A contour that was moved as a whole has the cubics of the old one, moved along: a drawing of thousands follows the
+ * pointer.
+ */
 function movedAlong(document: CurveDocument, contour: Contour, tolerance: number): Float64Array | null {
   const moved = translationOf(contour);
   if (moved === undefined) return null;

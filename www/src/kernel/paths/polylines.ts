@@ -6,7 +6,10 @@ import { curveOf } from "../curve/curve-cache.ts";
 
 const polylines = new WeakMap<Contour, { readonly tolerance: number; readonly flat: Float64Array; readonly vertices: Float64Array }>();
 
-/** A polyline nowhere farther from the open contour than `tolerance`, with few vertices. Kept until the tolerance changes. */
+/**
+ * A polyline nowhere farther from the open contour than `tolerance`, with few vertices. Kept until the tolerance
+ * changes.
+ */
 export function polylineOf(document: CurveDocument, contour: Contour, tolerance: number): Float64Array {
   const known = polylines.get(contour);
   if (known?.tolerance === tolerance) return known.vertices;
@@ -28,8 +31,8 @@ export function shifted(points: Float64Array, dx: number, dy: number): Float64Ar
 }
 
 /**
- * Some of a polyline's vertices, so that those left out are no farther than `tolerance` from what is left: a piece goes on while
- * a line from its first vertex passes that near to all that it leaves out, and while it does not turn back.
+ * Some of a polyline's vertices, so that those left out are no farther than `tolerance` from what is left: a piece goes
+ * on while a line from its first vertex passes that near to all that it leaves out, and while it does not turn back.
  */
 export function thinned(points: Float64Array, tolerance: number): Float64Array {
   const count = points.length / 2;

@@ -8,7 +8,10 @@ interface Place {
   readonly y: number;
 }
 
-/** Polygons of so many sides a segment tell inside from outside, but for a hair beside the curve, where a press means the curve. */
+/**
+ * Polygons of so many sides a segment tell inside from outside, but for a hair beside the curve, where a press means
+ * the curve.
+ */
 const sides = 24;
 const mostSides = 8192;
 
@@ -37,8 +40,8 @@ function isWithin(box: Bounds, around: Bounds): boolean {
 const extent = ({ minX, minY, maxX, maxY }: Bounds): number => (maxX - minX) * (maxY - minY);
 
 /**
- * The points of the shape around a place: of the colour that lies innermost there, the outermost contour that goes round the
- * place, with all of its colour that lies within. None where nothing does.
+ * The points of the shape around a place: of the colour that lies innermost there, the outermost contour that goes
+ * round the place, with all of its colour that lies within. None where nothing does.
  */
 export function shapeAt(curve: CurveDocument, at: Place): readonly PointRef[] {
   const around = curve.contours

@@ -4,7 +4,10 @@ import { beforeMove, surfaceOf } from "./surface.ts";
 
 /** Surfaces as triangles, and what is known about the points of a net. */
 
-/** Rows and columns of vertices; a closed direction has its first row again at the end, so that parameters run on over the seam. */
+/**
+ * Rows and columns of vertices; a closed direction has its first row again at the end, so that parameters run on over
+ * the seam.
+ */
 export interface SurfaceMesh {
   readonly rows: number;
   readonly cols: number;

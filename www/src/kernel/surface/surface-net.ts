@@ -2,7 +2,10 @@ import { TensorSurface } from "expline/slim";
 import type { NetDirection, Root, SurfaceDocument } from "../../document/surface/surface.ts";
 import { documentOf, isSample, markSample, reducedSurface, refinedSurface, surfaceOf } from "./surface.ts";
 
-/** Other nets for a surface: coarser, or with another number of points. Exact for shapes that the generators span; measured for others. */
+/**
+ * Other nets for a surface: coarser, or with another number of points. Exact for shapes that the generators span;
+ * measured for others.
+ */
 
 /** The number of points on the surface in a direction: what "net size" counts. */
 export function netSize(document: SurfaceDocument): readonly [number, number] {
@@ -84,7 +87,9 @@ function next(rows: readonly Float64Array[], factors: readonly number[]): Float6
   return fresh;
 }
 
-/** c[k] from the values before it, for every sequence of exponentials with these roots: −p₁, −p₂, … of Π (1 − e^α z). */
+/**
+ * c[k] from the values before it, for every sequence of exponentials with these roots: −p₁, −p₂, … of Π (1 − e^α z).
+ */
 export function recurrence(roots: readonly Root[]): number[] {
   let [re, im] = [[1], [0]];
   for (const root of roots) {

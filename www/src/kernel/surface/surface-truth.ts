@@ -15,7 +15,10 @@ const residuals: Partial<Record<SurfaceSampleId, (p: Place) => number>> = {
 const known = new WeakMap<SurfaceDocument, number>();
 const looked = 129;
 
-/** Largest distance of a fine mesh from the shape; undefined once the surface has been edited, or where the sample has no formula. */
+/**
+ * Largest distance of a fine mesh from the shape; undefined once the surface has been edited, or where the sample has
+ * no formula.
+ */
 export function deviationOf(document: SurfaceDocument): number | undefined {
   const residual = residuals[document.sample as SurfaceSampleId];
   if (residual === undefined || !isSample(document)) return undefined;

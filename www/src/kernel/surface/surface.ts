@@ -6,8 +6,8 @@ import { emptySurface, type NetPoint, type NetRef, type Root, type SurfaceDocume
 const surfaces = new WeakMap<SurfaceDocument, TensorSurface>();
 
 /**
- * The surface, or null: while no sample has been opened, and for a net of which the library makes none. Whoever hears of one
- * before its sample has taken its place may ask for it all the same.
+ * The surface, or null: while no sample has been opened, and for a net of which the library makes none. Whoever hears
+ * of one before its sample has taken its place may ask for it all the same.
  */
 export function surfaceOf(document: SurfaceDocument): TensorSurface | null {
   try {

@@ -79,9 +79,15 @@ export interface TraceResult {
   readonly colors: readonly string[];
   /** Segments by kind. */
   readonly segments: { readonly lines: number; readonly arcs: number; readonly curves: number };
-  /** Area that closed outlines and thresholded picture have in common, by the area of either; null where lines end openly and where there are colours. */
+  /**
+   * Area that closed outlines and thresholded picture have in common, by the area of either; null where lines end
+   * openly and where there are colours.
+   */
   readonly iou: number | null;
-  /** The largest distance of a corner from the border of the ink, in pixels; null where edges, lines or colours were followed. */
+  /**
+   * The largest distance of a corner from the border of the ink, in pixels; null where edges, lines or colours were
+   * followed.
+   */
   readonly beyond: number | null;
   readonly sizes: TraceSizes;
   readonly leftOut?: LeftOut;

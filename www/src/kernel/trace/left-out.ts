@@ -7,7 +7,10 @@ import type { Pixels } from "./picture.ts";
 
 /** Square pixels of what the tracer takes for dust wherever nobody says otherwise. */
 const dust = 2;
-/** From each place to the nearest other it is less than this part of what it would be by chance: .4 and less in lines of letters, dashes and dots, .65 and more in grain and dust. */
+/**
+ * From each place to the nearest other it is less than this part of what it would be by chance: .4 and less in lines of
+ * letters, dashes and dots, .65 and more in grain and dust.
+ */
 const together = 0.5;
 
 export interface Asked {
@@ -21,8 +24,8 @@ export interface Asked {
 
 /**
  * Nothing where nothing was left out, where it was grain and dust, or where with it there would be too many contours.
- * There are more specks than shapes in grain, and they lie where chance put them; the letters of a line below a mark may
- * be more than the mark's contours, but they lie beside one another. Counting takes a hundredth of a trace or so.
+ * There are more specks than shapes in grain, and they lie where chance put them; the letters of a line below a mark
+ * may be more than the mark's contours, but they lie beside one another. Counting takes a hundredth of a trace or so.
  */
 export async function leftOut({ contours }: Trace, asked: Asked): Promise<LeftOut | null> {
   const { pixels: { width, height, columns, rows }, options: { speckle, maxContours, source, colors } } = asked;
@@ -79,7 +82,9 @@ async function refused(trace: Asked["trace"], pixels: Pixels, options: TraceOpti
   }
 }
 
-/** Whether what is smaller than the speckle lies nearer together than chance would have put it (Clark and Evans, 1954). */
+/**
+ * Whether what is smaller than the speckle lies nearer together than chance would have put it (Clark and Evans, 1954).
+ */
 async function areTogether({ trace, pixels, options }: Asked, speckle: number): Promise<boolean> {
   const found = await trace(pixels, { ...options, speckle, refine: false });
   const places = found.contours.flatMap(({ curve }) => (Math.abs(curve.area()) < options.speckle ? [[curve.points[0] ?? 0, curve.points[1] ?? 0] as const] : []));

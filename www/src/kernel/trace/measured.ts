@@ -14,7 +14,10 @@ const drawnWithin = 2e-3;
 /** Of the path text: the defaults of Export. */
 const printed = { tolerance: 0.02, decimals: 3 } as const;
 const polygonWithin = 0.1;
-/** The tracer finds a corner where its sides meet, and the curve is fitted after that: it passes within an eighth of a pixel or so. */
+/**
+ * The tracer finds a corner where its sides meet, and the curve is fitted after that: it passes within an eighth of a
+ * pixel or so.
+ */
 const cornerWithin = 0.5;
 
 type Found = Trace["contours"][number];
@@ -87,7 +90,10 @@ async function gzipped(text: string): Promise<number> {
   return (await packed.arrayBuffer()).byteLength;
 }
 
-/** Pixels inside of the outlines against pixels of ink. Outlines of edges turn the same way on both sides of a stroke: as they are drawn and saved, so here every other one is paper. */
+/**
+ * Pixels inside of the outlines against pixels of ink. Outlines of edges turn the same way on both sides of a stroke:
+ * as they are drawn and saved, so here every other one is paper.
+ */
 function overlap(outlines: readonly TracedOutline[], [x, y]: readonly [number, number], { ink, columns, rows }: Thresholded): number {
   const inside = coverage(outlines.map(({ cubics }) => flattened(cubics, x, y)), columns, rows, 1, "evenodd");
   let [both, either] = [0, 0];

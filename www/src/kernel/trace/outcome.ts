@@ -30,7 +30,10 @@ export interface TraceOutcome {
   readonly colors: readonly string[];
   readonly layers: readonly number[];
   readonly cubics: readonly Float64Array[];
-  /** Root of the mean square and largest of the distances to the sub-pixel edge, pixels of the picture; null without a picture. */
+  /**
+   * Root of the mean square and largest of the distances to the sub-pixel edge, pixels of the picture; null without a
+   * picture.
+   */
   readonly rms: number | null;
   readonly max: number | null;
   /** How far the farthest corner is from that edge: pixels cut sharp corners off. */
@@ -68,7 +71,10 @@ export function outcomeOfKept({ contours }: KeptTrace): TraceOutcome {
   };
 }
 
-/** Twice the area of the polygon of the points and the ends of their handles, as a circle may have two points: its sign tells ink from hole. */
+/**
+ * Twice the area of the polygon of the points and the ends of their handles, as a circle may have two points: its sign
+ * tells ink from hole.
+ */
 function signedArea({ points }: Contour): number {
   const corners = points.flatMap(({ x, y, in: before, out: after }) => [[x + before.dx, y + before.dy], [x, y], [x + after.dx, y + after.dy]] as const);
   return corners.reduce((sum, [x, y], i) => {
@@ -97,7 +103,8 @@ const decided = new WeakMap<TraceOutcome, Decided>();
 
 /**
  * What is shown once corners were decided by hand: the drawing, and of the numbers those that are known of it. Where a
- * corner was smoothed, only the tracer could measure again. Contours of which nothing was decided stay the same objects.
+ * corner was smoothed, only the tracer could measure again. Contours of which nothing was decided stay the same
+ * objects.
  */
 export function shownOutcome(outcome: TraceOutcome, corners: readonly CornerChoice[]): TraceOutcome {
   if (corners.length === 0) return outcome;

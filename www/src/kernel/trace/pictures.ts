@@ -1,6 +1,9 @@
 import type { PictureSource } from "./job.ts";
 
-/** Pictures that were brought in, in the memory of this page: a file's content stays with the browser until it is looked at. */
+/**
+ * Pictures that were brought in, in the memory of this page: a file's content stays with the browser until it is looked
+ * at.
+ */
 const contents = new Map<string, Blob>();
 let serial = 0;
 

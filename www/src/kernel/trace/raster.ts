@@ -10,8 +10,8 @@ export interface DrawnPicture {
 }
 
 /**
- * Share of every pixel that lies inside, 0 … 1: of any outline, or of an odd number of them. Each edge leaves in a pixel the area between itself and the pixel's
- * right side; summed along a row that is the area inside.
+ * Share of every pixel that lies inside, 0 … 1: of any outline, or of an odd number of them. Each edge leaves in a
+ * pixel the area between itself and the pixel's right side; summed along a row that is the area inside.
  */
 export function coverage(outlines: readonly Outline[], width: number, height: number, scale: number, rule: CanvasFillRule = "nonzero"): Float32Array {
   const inside = rule === "nonzero" ? (around: number): number => Math.min(1, around) : (around: number): number => Math.abs(around - 2 * Math.round(around / 2));

@@ -124,13 +124,19 @@ function tooMany({ id, how }: Extract<TraceRequest, { kind: "trace" }>, areas: A
   return true;
 }
 
-/** The area, in pixels that were looked at, from which on there are no more pieces than contours of a drawing; 0 where there are no more of any. */
+/**
+ * The area, in pixels that were looked at, from which on there are no more pieces than contours of a drawing; 0 where
+ * there are no more of any.
+ */
 function overMost(areas: ArrayLike<number>, { mostContours }: TraceHow): number {
   const area = areas[mostContours];
   return area === undefined ? 0 : area + 1;
 }
 
-/** The speckle in square pixels of the picture from which on so many contours would be left; 0 where the tracer knows of none. */
+/**
+ * The speckle in square pixels of the picture from which on so many contours would be left; 0 where the tracer knows of
+ * none.
+ */
 async function offered({ offer }: ExplineError, request: Extract<TraceRequest, { kind: "trace" }>): Promise<number> {
   const { pixels: { width, height, columns, rows } } = await looked(request);
   return Math.ceil((offer?.["speckle"] ?? 0) * (width / columns) * (height / rows));

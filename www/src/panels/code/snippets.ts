@@ -206,7 +206,10 @@ self.onmessage = () => {
 `;
 }
 
-/** Characters from either end of a program that are shown: laying out the megabytes of a very large drawing takes many seconds. */
+/**
+ * Characters from either end of a program that are shown: laying out the megabytes of a very large drawing takes many
+ * seconds.
+ */
 const shownAtEnds = 50_000;
 /** Longer programs are shown in part. */
 export const mostShown = 2 * shownAtEnds;

@@ -39,8 +39,8 @@ const sum = new RegExp(`^${plainNumber}(?:[-+*/]${plainNumber})*(?:px|°)?$`, "i
 const step = new RegExp(`([-+*/]?)(${plainNumber})`, "giu");
 
 /**
- * A number as people type it, or a sum as they add to one that stands there ("240.00+10", "100/3"): a decimal comma counts, and so
- * does the unit. Returns null for what is no number or outside the range.
+ * A number as people type it, or a sum as they add to one that stands there ("240.00+10", "100/3"): a decimal comma
+ * counts, and so does the unit. Returns null for what is no number or outside the range.
  */
 export function parseTyped(text: string, least: number, most: number): number | null {
   const plain = text.trim().replace(/\u2212/gu, "-").replace(/\s*([-+*/])\s*/gu, "$1");

@@ -136,7 +136,10 @@ export function frequencyRow(editor: Editor): Row {
   };
 }
 
-/** The frequency that the field is about, also where it follows from the number of points; NaN where contours or segments differ. */
+/**
+ * The frequency that the field is about, also where it follows from the number of points; NaN where contours or
+ * segments differ.
+ */
 function frequencyOf(curve: CurveDocument, contours: readonly Contour[]): number {
   if (curve.omega !== "auto") return curve.omega;
   return shared(contours, (contour) => (isEven(contour) && contour.points.length >= 2 ? omegaOf(curve, contour, 0) : NaN)) ?? NaN;

@@ -5,7 +5,10 @@ import { generatorsOf, type Generators } from "../../kernel/curve/generator.ts";
 import { h, setText, svg } from "../controls/dom.ts";
 import type { Section } from "../mode/panel-parts.ts";
 
-/** The functions that the curve is made of, drawn as the papers draw them: each control point weighs one copy, centred at its own place. */
+/**
+ * The functions that the curve is made of, drawn as the papers draw them: each control point weighs one copy, centred
+ * at its own place.
+ */
 export function generatorPlot(): Section {
   const picture = svg("svg", { class: "plot", viewBox: "0 0 272 132", role: "img", "data-testid": "generator-plot" });
   const roots = h("p", { class: "field-note plot-note num" });

@@ -6,7 +6,10 @@ import { numberField, selectField, toggleField } from "../controls/fields.ts";
 
 /** How the path is written. */
 
-/** Chosen once, kept for the next time the dialog opens; lengths and digits in the unit of whatever drawing it opens with. */
+/**
+ * Chosen once, kept for the next time the dialog opens; lengths and digits in the unit of whatever drawing it opens
+ * with.
+ */
 let chosen: ExportOptions = { segments: "arcs", tolerance: 0.02, decimals: 3, relative: false };
 
 /** Lines or areas: what was chosen, else what suits the drawing. */

@@ -7,7 +7,10 @@ import { asProblem } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
 import { importForm, type ImportForm } from "./import-form.ts";
 
-/** A file, or text: SVG, a bare path, points or an expline file. Errors stand beside the text; nothing changes until it can be read. */
+/**
+ * A file, or text: SVG, a bare path, points or an expline file. Errors stand beside the text; nothing changes until it
+ * can be read.
+ */
 export function openImport(shell: Shell, given = ""): void {
   const form = importForm(naturalDestination(shell), given, (to) => naturalPlacement(shell, to) === "replace");
   const dialog = openDialog({ title: "Import", testid: "import-dialog" }, ...form.body);
@@ -19,7 +22,10 @@ export function openImport(shell: Shell, given = ""): void {
 /** Characters from which on a browser takes a second for pasting, as if they were typed, and none for setting them. */
 const mostTyped = 50_000;
 
-/** Reads one thing at a time: whoever presses twice, or chooses another file, means the last; who closes the dialog, none. */
+/**
+ * Reads one thing at a time: whoever presses twice, or chooses another file, means the last; who closes the dialog,
+ * none.
+ */
 class Importing {
   readonly #shell: Shell;
   readonly #form: ImportForm;

@@ -15,7 +15,9 @@ import { report } from "./report.ts";
 
 /** Copying, sharing, and taking in what is pasted or dropped. */
 
-/** The contours that hold the selection, without the sheet that they lie on; the whole drawing when nothing is selected. */
+/**
+ * The contours that hold the selection, without the sheet that they lie on; the whole drawing when nothing is selected.
+ */
 function chosenContours(shell: Shell): CurveDocument {
   const { curve, selection } = shell.editor.state.value;
   const chosen = new Set(selection.points.map((ref) => ref.contour));
@@ -134,7 +136,10 @@ async function receiveFile(shell: Shell, file: File): Promise<boolean> {
   return false;
 }
 
-/** Files from a drop or a paste, one after the other. The first picture is the last that is opened; what was refused is said last, for good news would take it away. */
+/**
+ * Files from a drop or a paste, one after the other. The first picture is the last that is opened; what was refused is
+ * said last, for good news would take it away.
+ */
 export async function receiveFiles(shell: Shell, files: readonly File[]): Promise<void> {
   const refused: unknown[] = [];
   for (const file of files.slice(0, 20)) {

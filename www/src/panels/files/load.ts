@@ -20,7 +20,10 @@ export function naturalDestination({ editor }: Shell): Destination {
   return editor.state.value.mode === "fit" ? "fit" : "curve";
 }
 
-/** Puts what was read on the stage, in view, as one step of the history; offers the other place that a drawing can go to. */
+/**
+ * Puts what was read on the stage, in view, as one step of the history; offers the other place that a drawing can go
+ * to.
+ */
 export async function place(shell: Shell, imported: Imported, to: Destination, how?: Placement | "offered"): Promise<void> {
   const { editor, toasts } = shell;
   if (imported.kind === "json") {

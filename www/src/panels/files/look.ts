@@ -5,8 +5,9 @@ import type { Editor } from "../../editor/editor.ts";
 import type { FileLook } from "../page-io.ts";
 
 /**
- * Whether a file shows areas of ink, holes left out, and lines as wide as they are, rather than thin lines only. Logos and what was
- * traced are areas wherever they are edited; the samples teach curves, and a line that is open encloses nothing.
+ * Whether a file shows areas of ink, holes left out, and lines as wide as they are, rather than thin lines only. Logos
+ * and what was traced are areas wherever they are edited; the samples teach curves, and a line that is open encloses
+ * nothing.
  */
 function isOfAreas({ contours, filling, sample }: CurveDocument, mode: Mode): boolean {
   if (contours.some(({ line }) => line !== undefined)) return true;
@@ -28,7 +29,9 @@ function isArea({ closed, ink }: Contour): boolean {
 /** A path of a file that is not printed yet. */
 export type PaintedDrawing = Omit<PaintedPath, "d"> & { readonly drawing: CurveDocument };
 
-/** What a file of areas has of each colour, and the lines among them, the lowest first; nothing where there is only ink. */
+/**
+ * What a file of areas has of each colour, and the lines among them, the lowest first; nothing where there is only ink.
+ */
 export function layersOf({ modes, state }: Editor, curve: CurveDocument): readonly PaintedDrawing[] {
   const traced = modes.get(state.value.mode)?.layers?.(state.value);
   if (traced !== undefined) return traced;

@@ -14,7 +14,8 @@ export async function openSession(shell: Shell, address: string): Promise<void> 
   const { io, until } = shell;
   window.addEventListener("hashchange", () => io.isShareLink(window.location.hash) && void openLink(shell, window.location.hash), { signal: until });
   const route = parseRoute(address);
-  // Who loads the page again, or comes back to it, wants what this tab showed; who follows a link to a sample wants the sample.
+  // Who loads the page again, or comes back to it, wants what this tab showed; who follows a link to a sample wants the
+  // sample.
   const [visit] = performance.getEntriesByType("navigation");
   const own = visit instanceof PerformanceNavigationTiming && visit.type !== "navigate" ? io.tabShows() : null;
   const link = [address, own ?? ""].find(io.isShareLink);

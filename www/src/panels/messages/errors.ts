@@ -19,7 +19,10 @@ export function errorText(id: NearProblem, details: ProblemDetails = {}): string
   return nearMessages[id](details);
 }
 
-/** Anything that was thrown, as a problem that can be shown; a library error that no catalogue entry fits is the engine's. */
+/**
+ * Anything that was thrown, as a problem that can be shown; a library error that no catalogue entry fits is the
+ * engine's.
+ */
 export function asProblem(error: unknown): Problem {
   if (error instanceof Problem) return error;
   const code = error instanceof Error && "code" in error ? String(error.code) : "unknown";

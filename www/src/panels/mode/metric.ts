@@ -8,7 +8,10 @@ export interface Metric {
   read(state: EditorState): { readonly value: number; readonly strong: string; readonly rest?: string; readonly lead?: string } | null;
   /** Too dear to be computed for every frame of a drag. */
   readonly slow?: boolean;
-  /** Works on what slow metrics are read from until the time is `spent`. False: there is more to do in the next frame, and until then they are hidden. */
+  /**
+   * Works on what slow metrics are read from until the time is `spent`. False: there is more to do in the next frame,
+   * and until then they are hidden.
+   */
   prepare?(state: EditorState, spent: () => boolean): boolean;
 }
 

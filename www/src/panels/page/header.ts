@@ -4,7 +4,10 @@ import { icon, type IconName } from "../controls/icons.ts";
 import { withKey, type Shell } from "../shell.ts";
 import type { Theme, ThemeControl } from "./theme.ts";
 
-/** Brand, the four modes, history and file actions. On a phone the modes move to the foot and the file actions into a menu. */
+/**
+ * Brand, the four modes, history and file actions. On a phone the modes move to the foot and the file actions into a
+ * menu.
+ */
 export function mountHeader(shell: Shell, theme: ThemeControl): void {
   const { editor, regions } = shell;
   const run = (id: string) => () => editor.actions.run(id);

@@ -1,6 +1,9 @@
 import type { Editor } from "../../editor/editor.ts";
 
-/** Who imports a part of the page asks for its program again, but never again for a style sheet: those that did not come are asked for once others do. */
+/**
+ * Who imports a part of the page asks for its program again, but never again for a style sheet: those that did not come
+ * are asked for once others do.
+ */
 export function retryStyles({ notices }: Editor, until: AbortSignal): void {
   let missed: HTMLLinkElement[] = [];
   document.addEventListener("error", ({ target }) => {

@@ -12,7 +12,10 @@ const mostMeasuredLive = 200;
 /** What is measured as a whole is so only when it has been still. */
 const restMs = 300;
 
-/** What is there, what is true about it, what it costs. Every number can be copied by a press and carries itself in `data-value`. */
+/**
+ * What is there, what is true about it, what it costs. Every number can be copied by a press and carries itself in
+ * `data-value`.
+ */
 export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; put(mode: Mode, metrics: ModeMetrics): void } {
   const { editor, regions, io, toasts, until } = shell;
   const make = (metric: Metric): { metric: Metric; element: HTMLButtonElement } => {

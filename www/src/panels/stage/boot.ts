@@ -7,7 +7,10 @@ const patienceMs = 300;
 /** Says over the stage what is waited for, once that takes a while; null: nothing is. */
 export type Wait = (text: string | null) => void;
 
-/** What the stage says while the engine starts or something else is waited for, and when it cannot. The rest of the page works either way. */
+/**
+ * What the stage says while the engine starts or something else is waited for, and when it cannot. The rest of the page
+ * works either way.
+ */
 export function mountBoot({ editor, regions, until }: Shell): Wait {
   const slot = h("div", { class: "boot" });
   regions.stage.append(slot);

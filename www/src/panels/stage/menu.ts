@@ -70,7 +70,8 @@ function openMenu(x: number, y: number, actions: readonly Action[], run: (id: st
     menu.remove();
     if (before instanceof HTMLElement && before.isConnected) before.focus();
   };
-  // Not left to the browser: where a menu opens while its button or finger is still down, Firefox takes the release for a press elsewhere.
+  // Not left to the browser: where a menu opens while its button or finger is still down, Firefox takes the release for
+  // a press elsewhere.
   const away = ({ target }: Event): void => {
     if (!(target instanceof Node && menu.contains(target))) close();
   };

@@ -6,7 +6,9 @@ import type { Toasts } from "../shell.ts";
 const shownForMs = 5000;
 const mostShown = 2;
 
-/** Messages over the foot of the stage: news go by themselves, errors stay until they are closed or the next success. */
+/**
+ * Messages over the foot of the stage: news go by themselves, errors stay until they are closed or the next success.
+ */
 export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
   // Of what stands there, only what is new is read out.
   const news = h("div", { class: "toasts", role: "status", "aria-live": "polite", "aria-atomic": "false" });

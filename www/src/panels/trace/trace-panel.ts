@@ -22,7 +22,10 @@ export function tracePanel(shell: Shell): ModePanel {
   return stackedPanel("trace-panel", sections, { peek: settings.detail, note: ({ trace }) => traceSample(trace.sample ?? "")?.title ?? "" });
 }
 
-/** Controls of the tracer show how outlines were found; where those came back without their picture, there is nothing to be asked. */
+/**
+ * Controls of the tracer show how outlines were found; where those came back without their picture, there is nothing to
+ * be asked.
+ */
 function asksTracer(section: Section): Section {
   return {
     element: section.element,

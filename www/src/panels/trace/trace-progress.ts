@@ -6,7 +6,9 @@ import { mountBusy } from "../mode/busy.ts";
 import { engineFailure, mountNotice, type Offer, type Said } from "../mode/notice.ts";
 import type { Shell } from "../shell.ts";
 
-/** Over the stage: how far the tracer has come, with a way to stop it; or why there is nothing to see, with a way on. */
+/**
+ * Over the stage: how far the tracer has come, with a way to stop it; or why there is nothing to see, with a way on.
+ */
 
 const names: Readonly<Record<TraceProgress["stage"], string>> = {
   decoding: "Decoding", edges: "Edges", contours: "Contours", corners: "Corners", splines: "Splines", refinement: "Refinement", layers: "Layers", measuring: "Measuring",

@@ -53,7 +53,10 @@ function drawRawLine(scene: Scene, width: number): void {
   context.stroke(path);
 }
 
-/** Of very many points, the steps of the way that lead to where it has not been (to a cell of at most a pixel), or far from one place to another. */
+/**
+ * Of very many points, the steps of the way that lead to where it has not been (to a cell of at most a pixel), or far
+ * from one place to another.
+ */
 function rawLine(fit: FitDocument, cell: number): Path2D {
   const path = new Path2D();
   const been = new Set<number>();
@@ -121,7 +124,10 @@ export function drawHeat(scene: Scene, outcome: FitOutcome): void {
 
 const heats = new WeakMap<FittedStroke, readonly Path2D[]>();
 
-/** More chords than this are shorter than they are broad: then one is as long as several, and of the worst of their errors. */
+/**
+ * More chords than this are shorter than they are broad: then one is as long as several, and of the worst of their
+ * errors.
+ */
 const mostChords = 2000;
 
 /** The curve in short chords, each in the path of its error's step. */

@@ -2,7 +2,9 @@ import type { ScreenPoint } from "../../editor/pointer/camera.ts";
 import type { KnotType } from "../../kernel/fit/knots.ts";
 import type { Palette } from "../palette.ts";
 
-/** Knots by kind: a filled square, a ring, and a square with a hole where both are. Sizes are CSS pixels at any zoom. */
+/**
+ * Knots by kind: a filled square, a ring, and a square with a hole where both are. Sizes are CSS pixels at any zoom.
+ */
 
 const halo = 1.5;
 

@@ -9,7 +9,10 @@ import { inPage, inScreen, onScreen, pathOfPoints, sightOf, type Scene } from ".
 import { drawComb } from "./comb.ts";
 import { isCrowded } from "./points.ts";
 
-/** Overlays that explain a curve: its comb, its control polygon, the subdivision polygons, its knots. Loaded when one is shown first. */
+/**
+ * Overlays that explain a curve: its comb, its control polygon, the subdivision polygons, its knots. Loaded when one is
+ * shown first.
+ */
 
 /** What lies below the curve, from the paper up. */
 export function drawBelow(scene: Scene): void {
@@ -80,7 +83,9 @@ function subdivisionPath(scene: Scene, part: Contour, step: number): Path2D {
   return (known[step] ??= pathOfPoints(subdivided(document, part, step), part.closed));
 }
 
-/** CSS pixels in which one knot stands for all: so many that few rings run into one another where there are very many. */
+/**
+ * CSS pixels in which one knot stands for all: so many that few rings run into one another where there are very many.
+ */
 const [knotsApart, manyApart] = [1, 14];
 
 export function drawKnots(scene: Scene): void {

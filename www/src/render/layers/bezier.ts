@@ -7,8 +7,8 @@ import { boxAround, inPage, inScreen, onScreen, overlap, pathOfCubics, pathOfPoi
 type Bounds = ReturnType<typeof sightOf>;
 
 /**
- * The Bézier to compare with. Its circle lies within a hair of the exact one, so its error is drawn magnified and labelled
- * as such; the points and handles that it needs are drawn as they are.
+ * The Bézier to compare with. Its circle lies within a hair of the exact one, so its error is drawn magnified and
+ * labelled as such; the points and handles that it needs are drawn as they are.
  */
 export function drawBezier(scene: Scene): void {
   const { state, palette } = scene;
@@ -101,7 +101,10 @@ function handlesOf({ settings, curve }: Scene["state"]): readonly Bounds[] {
   return curve.contours.flatMap(({ points }) => points).map(({ x, y, in: before, out: after }) => boxAround(Float64Array.of(x, y, x + before.dx, y + before.dy, x + after.dx, y + after.dy)));
 }
 
-/** Outwards beside one of the places, else inwards, else in the middle, where the words lie across no curve, no handle and none of `others`; where there is no such place, over paper. */
+/**
+ * Outwards beside one of the places, else inwards, else in the middle, where the words lie across no curve, no handle
+ * and none of `others`; where there is no such place, over paper.
+ */
 function label(scene: Scene, text: string, places: readonly { x: number; y: number }[], cubics: Float64Array, compared: readonly Ghost[], others: readonly Bounds[]): void {
   const context = inScreen(scene);
   const { em, font, warn, canvas } = scene.palette;
@@ -138,7 +141,10 @@ function crosses(cubics: Float64Array, box: Bounds): boolean {
   return false;
 }
 
-/** Whether a cubic, which lies within the box around its points, runs through another box, or by it so closely that it seems to. */
+/**
+ * Whether a cubic, which lies within the box around its points, runs through another box, or by it so closely that it
+ * seems to.
+ */
 function runsThrough(cubic: Float64Array, box: Bounds, halvings = 6): boolean {
   return overlap(boxAround(cubic), box) && (halvings === 0 || halved(cubic).some((half) => runsThrough(half, box, halvings - 1)));
 }

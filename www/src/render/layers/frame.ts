@@ -1,7 +1,10 @@
 import { frameOnScreen, gripsOf } from "../../editor/curve/framing.ts";
 import { inScreen, type Scene } from "../scene.ts";
 
-/** The frame around contours that are chosen as a whole, with grips that stretch it and one that turns it. It steps aside while something is dragged. */
+/**
+ * The frame around contours that are chosen as a whole, with grips that stretch it and one that turns it. It steps
+ * aside while something is dragged.
+ */
 export function drawFrame(scene: Scene): void {
   const { state, palette } = scene;
   const box = state.drag === null && !state.originalOnly ? frameOnScreen(state) : null;

@@ -5,8 +5,8 @@ import { partPath } from "../outlines.ts";
 import { contourPath, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
 
 /**
- * What tools show while they work: the curve before the drag, guides, marquee, the pen's next segment, where a point would go in,
- * the loupe. Loaded when a pointer has something to show first.
+ * What tools show while they work: the curve before the drag, guides, marquee, the pen's next segment, where a point
+ * would go in, the loupe. Loaded when a pointer has something to show first.
  */
 
 export function drawSketch(scene: Scene): void {

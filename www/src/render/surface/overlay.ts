@@ -6,7 +6,10 @@ import { diamond, disc, drawFocus, halo } from "../markers.ts";
 import type { Palette } from "../palette.ts";
 import { inScreen, type Scene } from "../scene.ts";
 
-/** What lies over the surface: the net, its points, the axis of a drag; and the surface itself in lines, where nothing shades it. */
+/**
+ * What lies over the surface: the net, its points, the axis of a drag; and the surface itself in lines, where nothing
+ * shades it.
+ */
 
 export function drawNet(scene: Scene): void {
   const { state } = scene;

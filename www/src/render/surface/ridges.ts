@@ -4,7 +4,10 @@ import { extentOf } from "../../kernel/surface/surface-mesh.ts";
 import { ridgesOf, type Ridge } from "../../kernel/surface/surface-weights.ts";
 import { inScreen, type Scene } from "../scene.ts";
 
-/** The generators of a control point, standing on the surface along the two lines through it: as high as it acts strongly. */
+/**
+ * The generators of a control point, standing on the surface along the two lines through it: as high as it acts
+ * strongly.
+ */
 
 /** A weight of 1, as a part of the surface's radius. */
 const high = 0.35;

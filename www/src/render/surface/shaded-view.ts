@@ -77,7 +77,10 @@ class Shaded implements ShadedView {
   readonly #scene = new Scene();
   readonly #camera = new PerspectiveCamera((opening * 180) / Math.PI, 1, 0.01, 1000);
   readonly #uniforms = freshUniforms();
-  /** Outside and inside. Of sheets that lie on each other, as those of the Roman surface do, the outside is seen: the inside is a little farther away. */
+  /**
+   * Outside and inside. Of sheets that lie on each other, as those of the Roman surface do, the outside is seen: the
+   * inside is a little farther away.
+   */
   readonly #sides = [FrontSide, BackSide].map((side) => new Mesh(new BufferGeometry(), new ShaderMaterial({
     vertexShader, fragmentShader, uniforms: this.#uniforms, side, polygonOffset: side === BackSide, polygonOffsetFactor: 2, polygonOffsetUnits: 16,
   })));

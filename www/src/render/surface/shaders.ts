@@ -1,4 +1,6 @@
-/** The surface's one shader: light, normals, curvature and stripes, with iso-lines and the tint of what a drag changes. */
+/**
+ * The surface's one shader: light, normals, curvature and stripes, with iso-lines and the tint of what a drag changes.
+ */
 
 export const vertexShader = /* glsl */ `
 attribute vec2 parameter;

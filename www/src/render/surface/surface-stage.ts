@@ -10,7 +10,10 @@ import { drawNet, drawWireframe } from "./overlay.ts";
 import { drawRidges } from "./ridges.ts";
 import type { Colours, Picture, Region, ShadedView } from "./shaded-view.ts";
 
-/** The two canvases of the surface: the shaded one beneath, and the ordinary one with the net, or with lines where nothing can shade. */
+/**
+ * The two canvases of the surface: the shaded one beneath, and the ordinary one with the net, or with lines where
+ * nothing can shade.
+ */
 
 export interface SurfaceStage {
   readonly painter: Painter;
@@ -135,7 +138,9 @@ function pictureOf({ state, palette, ratio }: Scene, mesh: SurfaceMesh): Picture
   };
 }
 
-/** Curvature's colours are what it says: they stay where the page's own are the system's, on the grey that they fade to. */
+/**
+ * Curvature's colours are what it says: they stay where the page's own are the system's, on the grey that they fade to.
+ */
 const bent = { cool: "#0b57d0", warm: "#b3420b" } as const;
 
 function coloursOf(palette: Palette): Colours {

@@ -1,12 +1,16 @@
 import type { View } from "../../document/document.ts";
 import type { Scene, ScreenBox } from "../scene.ts";
 
-/** The part of the stage that stays while a pointer goes over it, and moves along with the paper: laid down again until what it shows is another. */
+/**
+ * The part of the stage that stays while a pointer goes over it, and moves along with the paper: laid down again until
+ * what it shows is another.
+ */
 
 export interface StillLayer {
   /**
-   * Puts on the scene what `draw` draws, as long as nothing in `of` is another, without drawing more of it anew than has come into sight.
-   * What is `heavy` is shown as it was, but larger or smaller, while it is zoomed, and drawn when that is over.
+   * Puts on the scene what `draw` draws, as long as nothing in `of` is another, without drawing more of it anew than
+   * has come into sight. What is `heavy` is shown as it was, but larger or smaller, while it is zoomed, and drawn when
+   * that is over.
    */
   paint(scene: Scene, of: readonly unknown[], heavy: boolean, draw: (scene: Scene) => void): void;
 }
@@ -16,7 +20,10 @@ const same = (a: readonly unknown[], b: readonly unknown[]): boolean => a.length
 /** Frames without a move after which a zoom is over. */
 const calmFrames = 6;
 
-/** From one view to another, in device pixels: `x` and `y` of the old picture's corner, and how many times as large it is. */
+/**
+ * From one view to another, in device pixels: `x` and `y` of the old picture's corner, and how many times as large it
+ * is.
+ */
 export interface Shift {
   readonly x: number;
   readonly y: number;

@@ -15,7 +15,10 @@ import { createStillLayer } from "./still-layer.ts";
 
 /** Trace's picture, from the paper up: the pixels, the outlines over them, and the points where they change. */
 
-/** Marks nearer to each other than this would hide what they mark, in CSS pixels along the outlines; nearer than the first, they are drawn small. */
+/**
+ * Marks nearer to each other than this would hide what they mark, in CSS pixels along the outlines; nearer than the
+ * first, they are drawn small.
+ */
 const [largeApart, smallApart] = [40, 11];
 
 /** So many points are outlines that take no longer than a frame has. */
@@ -64,7 +67,10 @@ function drawPixels(scene: Scene, { width, height }: ShownPicture, pixels: Image
 
 const wholes = new WeakMap<readonly Float64Array[], Outlines>();
 
-/** All outlines in one path, and the closed ones in another: as the worker gave them, or anew where corners were smoothed by hand. */
+/**
+ * All outlines in one path, and the closed ones in another: as the worker gave them, or anew where corners were
+ * smoothed by hand.
+ */
 function pathsOf(scene: Scene, { drawing, cubics: found }: TraceOutcome): Outlines {
   if (scene.cut !== undefined) return pathsOfOutlines(scene, drawing, found, sightOf(scene));
   if (found.length === 0) return documentPaths(scene, drawing);
@@ -165,7 +171,10 @@ function spacingOf(drawing: CurveDocument): number {
   return fresh;
 }
 
-/** Which points are large: none where they are crowded, all of an outline that is alone, the corners of one over its picture. */
+/**
+ * Which points are large: none where they are crowded, all of an outline that is alone, the corners of one over its
+ * picture.
+ */
 function isLarge(scene: Scene, drawing: CurveDocument, all: boolean): (point: ControlPoint) => boolean {
   if (spacingOf(drawing) * scene.state.view.zoom < largeApart) return () => false;
   return ({ kind }) => all || kind === "cusp";

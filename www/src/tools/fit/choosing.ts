@@ -3,7 +3,9 @@ import { setFitView } from "../../editor/fit/fit-edits.ts";
 import { knotAt } from "../../editor/fit/knot-hit.ts";
 import type { PointerSample } from "../../editor/tool.ts";
 
-/** A click on a knot chooses it, with Shift beside others; beside all knots it chooses none. Says whether there was one. */
+/**
+ * A click on a knot chooses it, with Shift beside others; beside all knots it chooses none. Says whether there was one.
+ */
 export function choose(editor: Editor, { screen, kind, modifiers }: PointerSample): boolean {
   const knot = knotAt(editor.state.value, screen, kind);
   const { chosen } = editor.state.value.fitView;

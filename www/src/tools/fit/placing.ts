@@ -5,8 +5,8 @@ import type { PointerSample } from "../../editor/tool.ts";
 import { choose } from "./choosing.ts";
 
 /**
- * A click on a knot chooses it, any other places a point; where `begins` holds, as the first of a new stroke. Says whether
- * the next one is.
+ * A click on a knot chooses it, any other places a point; where `begins` holds, as the first of a new stroke. Says
+ * whether the next one is.
  */
 export function placePoint(editor: Editor, sample: PointerSample, begins: boolean): boolean {
   if (choose(editor, sample)) return begins;

@@ -1,6 +1,9 @@
 import type { Contour } from "../../document/document.ts";
 
-/** Finds the contour that the pen draws again after changes that are not the pen's: undo, what is deleted, moved or brought in meanwhile. */
+/**
+ * Finds the contour that the pen draws again after changes that are not the pen's: undo, what is deleted, moved or
+ * brought in meanwhile.
+ */
 export class Following {
   /** Every state of the contour that was seen: undo and redo bring them back. Null: nothing is drawn. */
   #seen: WeakSet<Contour> | null = null;

@@ -37,7 +37,10 @@ export function firstPoint(state: EditorState, sample: PointerSample): Placement
   return { command: startContour(curve, placeOf(state, null, sample)), ref: { contour: curve.contours.length, index: 0 }, closing: false };
 }
 
-/** The segment that a press would make, onto the end of another contour where one is given; null while there is no point for it to begin at. */
+/**
+ * The segment that a press would make, onto the end of another contour where one is given; null while there is no point
+ * for it to begin at.
+ */
 export function rubberOf(state: EditorState, contour: Contour, sample: PointerSample, end: PathEnd | null): Rubber | null {
   const [first, last] = [contour.points[0], contour.points.at(-1)];
   if (first === undefined || last === undefined) return null;

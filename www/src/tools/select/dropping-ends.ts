@@ -7,7 +7,9 @@ import type { CurveDocument, PointRef } from "../../document/document.ts";
 /** As much as rounding takes an end away from where it was drawn to, in document units. */
 const rounding = 1e-9;
 
-/** The move and the join as one command; null where nothing would be joined. `curve` may be before the move or after it. */
+/**
+ * The move and the join as one command; null where nothing would be joined. `curve` may be before the move or after it.
+ */
 export function dropped(curve: CurveDocument, move: Command, end: PointRef, onto: PointRef): Command | null {
   const own = end.contour === onto.contour;
   // Of two points one would be left.

@@ -11,7 +11,9 @@ import { look } from "./looking.ts";
 /** Surface mode's pointer: control points are dragged, everything else turns the view. */
 
 export interface SurfaceTool extends Tool {
-  /** X, Y, Z in the middle of a drag: holds it to an axis, and pressed again lets it go. False while nothing is dragged. */
+  /**
+   * X, Y, Z in the middle of a drag: holds it to an axis, and pressed again lets it go. False while nothing is dragged.
+   */
   hold(axis: DragAxis): boolean;
 }
 

@@ -8,7 +8,10 @@ export interface Box {
   readonly bottom: number;
 }
 
-/** A box that holds another and one more, which is moved first; its corners stand for what is in it, as browsers have it. */
+/**
+ * A box that holds another and one more, which is moved first; its corners stand for what is in it, as browsers have
+ * it.
+ */
 export function enclosing(all: Box | null, { left, top, right, bottom }: Box, [a, b, c, d, e, f]: Matrix): Box {
   const corners = [[left, top], [right, top], [right, bottom], [left, bottom]] as const;
   const [xs, ys] = [corners.map(([x, y]) => a * x + c * y + e), corners.map(([x, y]) => b * x + d * y + f)];

@@ -145,7 +145,10 @@ function meanOf(stops: readonly Stop[]): Rgba | null {
   return opacity === 0 ? [0, 0, 0, 0] : [red / opacity, green / opacity, blue / opacity, opacity];
 }
 
-/** Colour and opacity both change evenly from one to the other, and a colour counts as much as it is seen: the integral of the product. */
+/**
+ * Colour and opacity both change evenly from one to the other, and a colour counts as much as it is seen: the integral
+ * of the product.
+ */
 function addBetween(sum: [number, number, number, number], [r0, g0, b0, a0]: Rgba, [r1, g1, b1, a1]: Rgba, width: number): void {
   const seen = (from: number, to: number): number => (width * (from * (2 * a0 + a1) + to * (a0 + 2 * a1))) / 6;
   sum[0] += seen(r0, r1);

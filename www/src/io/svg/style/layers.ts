@@ -14,7 +14,10 @@ export function outermost(): Layer {
 /** Nobody writes longer names than this. */
 const mostParts = 16;
 
-/** The layer of a name, such as `base.forms`, inside another, and new if there was none; one without a name is never met again. */
+/**
+ * The layer of a name, such as `base.forms`, inside another, and new if there was none; one without a name is never met
+ * again.
+ */
 export function layerIn(outer: Layer, name: string): Layer {
   const parts = name === "" ? [` ${outer.inner.size}`] : name.split(".", mostParts);
   return parts.reduce((layer, part) => {

@@ -22,7 +22,10 @@ function scaleOf([a, b, c, d]: Matrix): number {
 
 const mostDashes = 256;
 
-/** Dashes and gaps in a line's own units; null where they cannot be read, and empty where it is solid: a list with a negative length in it is none. */
+/**
+ * Dashes and gaps in a line's own units; null where they cannot be read, and empty where it is solid: a list with a
+ * negative length in it is none.
+ */
 function dashesOf(text: string, around: Size): readonly number[] | null {
   const lengths = text === "none" ? [] : text.split(/[\s,]+/u).map((each) => styledLength(each, around) ?? NaN);
   if (lengths.some((each) => !Number.isFinite(each)) || lengths.length > mostDashes) return null;
@@ -37,7 +40,10 @@ export interface Outline {
   along(): number | null;
 }
 
-/** How many units of an outline are one of its dashes': the author may say how long the whole of it counts for. NaN where nobody can tell. */
+/**
+ * How many units of an outline are one of its dashes': the author may say how long the whole of it counts for. NaN
+ * where nobody can tell.
+ */
 function dashUnit(element: Element, { along }: Outline): number {
   const said = Number(element.getAttribute("pathLength") ?? NaN);
   if (!(said >= 0)) return 1;

@@ -38,8 +38,8 @@ export function selectorsOf(list: string): readonly Selector[] {
 const longest = 10_000;
 
 /**
- * The selectors of a rule that stands in another of those selectors, or in none: `&` is what the outer rule chooses. Null where
- * that becomes too long.
+ * The selectors of a rule that stands in another of those selectors, or in none: `&` is what the outer rule chooses.
+ * Null where that becomes too long.
  */
 export function nestedIn(list: string, outer: readonly Selector[] | null): string | null {
   if (!list.includes("&")) return list;
@@ -87,8 +87,9 @@ export function extentOf(document: Document): Extent {
 }
 
 /**
- * At most so many elements are looked at by a selector, up to a factor of a few: each part of it at every element, at those
- * around where it has a blank or `:has`, at those beside where it looks sideways, and again for each call within a call.
+ * At most so many elements are looked at by a selector, up to a factor of a few: each part of it at every element, at
+ * those around where it has a blank or `:has`, at those beside where it looks sideways, and again for each call within
+ * a call.
  */
 export function costOf(selector: string, { elements, depth, widest }: Extent): number {
   const bare = selector.replace(/\s*([,>+~])\s*/gu, "$1").replace(/:nth-[\w-]+\([-+n\d]*\)/gu, ":nth");

@@ -6,8 +6,9 @@ import { costOf, extentOf } from "./selectors.ts";
 import { rulesOf, type Rule } from "./sheets.ts";
 
 /**
- * What the document's own style sheets and `style` attributes say of where its shapes are and which are shown. The browser
- * reads both and looks the selectors up, but the sheets belong to no page: nothing is styled or fetched by them.
+ * What the document's own style sheets and `style` attributes say of where its shapes are and which are shown. The
+ * browser reads both and looks the selectors up, but the sheets belong to no page: nothing is styled or fetched by
+ * them.
  */
 
 export type Styles = (element: Element) => Declared;

@@ -21,7 +21,9 @@ function inLengths(functions: string, { width, height }: Size): string {
   });
 }
 
-/** A list of transform functions as CSS writes them; null when it needs a box that is not known or a third dimension. */
+/**
+ * A list of transform functions as CSS writes them; null when it needs a box that is not known or a third dimension.
+ */
 function listed(functions: string, size: () => Size): Matrix | null {
   try {
     const { a, b, c, d, e, f, m13, m14, m23, m24, m31, m32, m33, m34, m43, m44 } = new DOMMatrix(functions.includes("%") ? inLengths(functions, size()) : functions);

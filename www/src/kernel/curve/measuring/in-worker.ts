@@ -26,7 +26,10 @@ function end(settle: (asked: NonNullable<typeof waiting>) => void): void {
   if (asked !== null) settle(asked);
 }
 
-/** Measures a curve where nothing waits for it. What is under way is of a drawing that is no longer there, and is dropped. */
+/**
+ * Measures a curve where nothing waits for it. What is under way is of a drawing that is no longer there, and is
+ * dropped.
+ */
 export function measureInWorker(shape: SplineShape): Promise<WholeMeasures> {
   desk.dismiss();
   return new Promise((resolve, reject) => {

@@ -17,7 +17,10 @@ export interface Measures {
   readonly length: number;
   /** Signed, of the closed contours. */
   readonly area: number;
-  /** Characters of the path text at the export dialog's defaults; of long contours, which are printed part by part, up to a few for each part. */
+  /**
+   * Characters of the path text at the export dialog's defaults; of long contours, which are printed part by part, up
+   * to a few for each part.
+   */
   readonly bytes: number;
   /** Some contour is measured in parts. */
   readonly isLong: boolean;
@@ -133,8 +136,8 @@ function measurePart(document: CurveDocument, contour: Contour, part: Contour): 
 }
 
 /**
- * Measures length, area and size of a drawing, part by part, until all is known or the time is `spent`; says whether all is.
- * Of 100,000 points it takes seconds the first time, after an edit no more than the changed part.
+ * Measures length, area and size of a drawing, part by part, until all is known or the time is `spent`; says whether
+ * all is. Of 100,000 points it takes seconds the first time, after an edit no more than the changed part.
  */
 export function measureUntil(document: CurveDocument, spent: () => boolean): boolean {
   for (const contour of document.contours) {
@@ -157,7 +160,10 @@ function firstGhost(document: CurveDocument): ReturnType<typeof bezierGhost> {
   return first === undefined ? null : bezierGhost(document, first);
 }
 
-/** So many contours are looked at for ellipses: enough for a drawing of circles, and bounded while one of thousands is dragged. */
+/**
+ * So many contours are looked at for ellipses: enough for a drawing of circles, and bounded while one of thousands is
+ * dragged.
+ */
 const mostMeasured = 16;
 
 /** The worst over the contours that are ellipses; undefined when none is. */

@@ -17,7 +17,10 @@ export interface Ghost {
   /** The same distance in document units. */
   readonly distance: number;
   readonly shape: "ellipse" | "handles";
-  /** For an ellipse: the Bézier with its error made `magnified` times as large, as a closed polygon; the true one cannot be told apart by eye. */
+  /**
+   * For an ellipse: the Bézier with its error made `magnified` times as large, as a closed polygon; the true one cannot
+   * be told apart by eye.
+   */
   readonly magnified: Float64Array | null;
 }
 
@@ -33,7 +36,10 @@ const kappa = (4 / 3) * (Math.SQRT2 - 1);
 const ghosts = new WeakMap<object, Ghost>();
 const ellipses = new WeakMap<object, Ellipse | null>();
 
-/** A contour of more points than anybody would draw an ellipse with is not looked at: it would be built anew as a whole with every step of a drag. */
+/**
+ * A contour of more points than anybody would draw an ellipse with is not looked at: it would be built anew as a whole
+ * with every step of a drag.
+ */
 const mostOfEllipse = 8192;
 
 /** The ellipse that a closed contour is, if it is one to a thousandth of its extent. */
@@ -121,7 +127,10 @@ function onEllipse({ center, radii, rotation }: Ellipse, u: number, v: number): 
   return [center[0] + x * cos - y * sin, center[1] + x * sin + y * cos];
 }
 
-/** Largest radius error of the unit quarter, measured on it: the same for every circle, and for an ellipse relative to its radii. */
+/**
+ * Largest radius error of the unit quarter, measured on it: the same for every circle, and for an ellipse relative to
+ * its radii.
+ */
 const fourArcError = measureFourArcs();
 
 function measureFourArcs(): number {
@@ -133,7 +142,10 @@ function measureFourArcs(): number {
   return worst;
 }
 
-/** The cubics that have the contour's own points and handles; handles are drawn at a third of the tangent, as a cubic's are. */
+/**
+ * The cubics that have the contour's own points and handles; handles are drawn at a third of the tangent, as a cubic's
+ * are.
+ */
 function sameHandles(document: CurveDocument, contour: Contour): Ghost {
   const { points, closed } = contour;
   const segments = closed ? points.length : points.length - 1;

@@ -72,7 +72,10 @@ export function teethOf(document: CurveDocument, contour: Contour, perSegment: n
 const [looksPerSegment, mostLookedAt] = [8, 1024];
 const looks = new WeakMap<Curve, { readonly every: number; readonly bends: Float64Array }>();
 
-/** How curved a contour is, at many places of many of its segments; of one point more or less a long contour looks at that part again. */
+/**
+ * How curved a contour is, at many places of many of its segments; of one point more or less a long contour looks at
+ * that part again.
+ */
 export function bendsOf(document: CurveDocument, contour: Contour): Float64Array[] {
   const every = 2 ** Math.max(0, Math.ceil(Math.log2(segmentCount(contour) / mostLookedAt)));
   return partsOf(document, contour).flatMap((part) => {

@@ -7,9 +7,15 @@ import { arraysOf, pointOf } from "./control-points.ts";
 import { curveOf, hermiteOf } from "../curve-cache.ts";
 import { isOrdinary } from "../refining.ts";
 
-/** Edits that need the curve itself: exact insertion, healing removal, other numbers of points, and reading curves back as contours. */
+/**
+ * Edits that need the curve itself: exact insertion, healing removal, other numbers of points, and reading curves back
+ * as contours.
+ */
 
-/** A library curve as a contour of the document, with every frequency and length written down where it is not the ordinary one. */
+/**
+ * A library curve as a contour of the document, with every frequency and length written down where it is not the
+ * ordinary one.
+ */
 export function contourFrom(curve: HermiteCurve, space: Space): Contour {
   const { points, lengths } = arraysOf(curve);
   const count = points.length / 2;
@@ -31,7 +37,9 @@ export function contourFrom(curve: HermiteCurve, space: Space): Contour {
   };
 }
 
-/** The free side of an open end has no handle of its own to read: it mirrors the other, ready for the contour to go on. */
+/**
+ * The free side of an open end has no handle of its own to read: it mirrors the other, ready for the contour to go on.
+ */
 function asEnd(point: ControlPoint, first: boolean): ControlPoint {
   const used = first ? point.out : point.in;
   const mirror = { dx: 0 - used.dx, dy: 0 - used.dy };
@@ -73,7 +81,10 @@ export function inserted(document: CurveDocument, contour: Contour, t: number): 
   };
 }
 
-/** The contour without one point, its neighbours' handles chosen anew for the least change of shape; with the change measured. */
+/**
+ * The contour without one point, its neighbours' handles chosen anew for the least change of shape; with the change
+ * measured.
+ */
 export function healed(document: CurveDocument, contour: Contour, index: number): { contour: Contour; deviation: number } | null {
   if (contour.points.length < 3) return null;
   // Two segments become one: of a contour of very many nothing else is looked at.

@@ -11,7 +11,10 @@ export interface Shades {
   readonly lightOnNothing?: boolean;
 }
 
-/** The luma of Rec. 709; where something is transparent, that is paper: black where all is light, or is and light ink is asked for, else white. */
+/**
+ * The luma of Rec. 709; where something is transparent, that is paper: black where all is light, or is and light ink is
+ * asked for, else white.
+ */
 export function shadesOf({ columns, rows, data }: Pixels, invert = false): Shades {
   const count = columns * rows;
   if (data.length === count) return { columns, rows, values: data instanceof Uint8Array ? data : new Uint8Array(data.buffer) };

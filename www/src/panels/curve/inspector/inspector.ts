@@ -5,7 +5,10 @@ import { h, setText } from "../../controls/dom.ts";
 import { nothingSelected, type Section } from "../../mode/panel-parts.ts";
 import type { Shell } from "../../shell.ts";
 
-/** The chosen point in numbers, which come when there is one: typed values are exact. Several points: their box, what they share, and what brings them in line. */
+/**
+ * The chosen point in numbers, which come when there is one: typed values are exact. Several points: their box, what
+ * they share, and what brings them in line.
+ */
 export function inspectorSection({ editor }: Shell): Section {
   const which = h("span", { class: "section-note num" });
   const none = h("p", { class: "quiet" });
