@@ -1,4 +1,5 @@
-// npm run bench:trace: tracers side by side on pictures whose outlines are known; `npm run bench:trace -- "outlines, c256"` prints one part.
+// npm run bench:trace: tracers side by side on pictures whose outlines are known;
+// `npm run bench:trace -- "outlines, c256"` prints one part.
 
 import { buildPackage } from "./package.mjs";
 import { setUp } from "./setup.mjs";

@@ -1,10 +1,11 @@
 // Runs of bytes that another wasm's streams have too, copied from there.
 //
-// A wasm that is loaded beside the core has much of the core's code: what every curve and every number is made of. What comes out is
+// A wasm that is loaded beside the core has much of the core's code: what every curve and every number is made of. What
+// comes out is
 //
 //   how many bytes the runs take
-//   runs: how many own bytes are next, how much further than after them the other's place is (twice that, or one less than twice how
-//   far back), and how many bytes are copied from there
+//   runs: how many own bytes are next, how much further than after them the other's place is (twice that, or one less
+//   than twice how far back), and how many bytes are copied from there
 //   the own bytes
 //
 // with all numbers as LEB128.
@@ -13,7 +14,10 @@ import { leb } from "./wasm-functions.mjs";
 
 /** Runs are looked for by so many bytes. */
 const LOOKED_FOR = 6;
-/** A run that goes on where the last one ended, with as many own bytes between as the other has, costs less than one from elsewhere. */
+/**
+ * A run that goes on where the last one ended, with as many own bytes between as the other has, costs less than one
+ * from elsewhere.
+ */
 const SHORTEST_NEXT = 8;
 
 /** Where the other has each few bytes. */

@@ -6,16 +6,17 @@ import { OPERATIONS } from "./split-wasm.mjs";
 export const STREAMS = 32768;
 
 /**
- * `plain` reads the text's UTF-8 where JavaScript has put it and writes its bytes over it: every code point is below 256, so one
- * or two bytes become one, and what is written never overtakes what is read.
+ * `plain` reads the text's UTF-8 where JavaScript has put it and writes its bytes over it: every code point is below
+ * 256, so one or two bytes become one, and what is written never overtakes what is read.
  *
- * `fill` copies runs from those bytes and from another wasm's to STREAMS, and returns where they end. `decode` puts together what is there,
- * from `out` on, and returns where that ends.
+ * `fill` copies runs from those bytes and from another wasm's to STREAMS, and returns where they end. `decode` puts
+ * together what is there, from `out` on, and returns where that ends.
  *
- * At 0 it keeps where each row begins, and at 1024 how far each stream is read; 1428 is where the types of functions begin in what it has
- * written, and 1432 how far the list of the functions' types is read there. For each type of locals (0x7b to 0x7f, four bytes each) it keeps
- * after 1536 where its list ends. The lists themselves, of those in use, are at 256 times the type. From 4096 on it writes what a function's
- * locals are; how many there are one after the other of one type, and which, is at 8192. Doubles are at 16384, the first one of its own.
+ * At 0 it keeps where each row begins, and at 1024 how far each stream is read; 1428 is where the types of functions
+ * begin in what it has written, and 1432 how far the list of the functions' types is read there. For each type of
+ * locals (0x7b to 0x7f, four bytes each) it keeps after 1536 where its list ends. The lists themselves, of those in
+ * use, are at 256 times the type. From 4096 on it writes what a function's locals are; how many there are one after the
+ * other of one type, and which, is at 8192. Doubles are at 16384, the first one of its own.
  */
 const DECODER = `
 (module

@@ -1,4 +1,5 @@
-// The face: TypeScript and the bound wasm → ES modules, with the wasm inside and beside them, their declarations, and the command line.
+// The face: TypeScript and the bound wasm → ES modules, with the wasm inside and beside them, their declarations, and
+// the command line.
 //
 // `expline.js` only names what the ES modules offer, so that a bundler leaves out those of which nothing is used.
 
@@ -23,8 +24,8 @@ const nothingInside = (file, start) => `
 `;
 
 /**
- * What Node has instead: it reads the file when the engine is first asked for. Nothing waits, and nothing is parsed that is not used.
- * A test runner may have made CommonJS of the module: then it has no address, but a file name.
+ * What Node has instead: it reads the file when the engine is first asked for. Nothing waits, and nothing is parsed
+ * that is not used. A test runner may have made CommonJS of the module: then it has no address, but a file name.
  */
 const fileBeside = (file, start) => `
   import { ExplineError } from "./core/error.js";
@@ -77,7 +78,10 @@ async function bundleEntry(prefix) {
 /** A literal, which was chosen to the byte: no bundler sees it. */
 const literalIn = (name) => JSON.parse(readFileSync(at(BINDINGS, `${name}.json`), "utf8"));
 
-/** A module with its literals before or behind the code, where gzip makes less of both: which that is depends on where its blocks end. */
+/**
+ * A module with its literals before or behind the code, where gzip makes less of both: which that is depends on where
+ * its blocks end.
+ */
 function withLiterals(code, literals) {
   if (literals.length === 0) return code;
   const [first, last] = [`var ${literals};${code}`, `${code}var ${literals};\n`];

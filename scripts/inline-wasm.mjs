@@ -1,8 +1,9 @@
 // The wasm as text inside JavaScript, so that the package starts with no await and no second request.
 //
-// The wasm is sorted into streams first (split-wasm.mjs), and what the core's streams have too is copied from there (copy-runs.mjs). Then,
-// one character per byte, byte b becomes the code point (b + shift) mod 256. In UTF-8 that compresses to a few per cent more than the
-// bytes themselves, where base64 costs a third. Shift and quote are those for which the text is smallest after gzip.
+// The wasm is sorted into streams first (split-wasm.mjs), and what the core's streams have too is copied from there
+// (copy-runs.mjs). Then, one character per byte, byte b becomes the code point (b + shift) mod 256. In UTF-8 that
+// compresses to a few per cent more than the bytes themselves, where base64 costs a third. Shift and quote are those
+// for which the text is smallest after gzip.
 
 import { gzipSync } from "node:zlib";
 
@@ -55,8 +56,9 @@ function smallestLiteral(bytes, tried = TRIED) {
 }
 
 /**
- * The names of the literals, which come before or behind all of a module's code: between the code that uses them they would be longer, because
- * gzip makes a code for sixteen thousand symbols at a time, whatever they are. No bundler sees them.
+ * The names of the literals, which come before or behind all of a module's code: between the code that uses them they
+ * would be longer, because gzip makes a code for sixteen thousand symbols at a time, whatever they are. No bundler sees
+ * them.
  */
 export const TEXT = "$w";
 export const DECODER_TEXT = "$d";
@@ -93,8 +95,8 @@ function decoded(decoder, { text, shift, room }, other = { text: "''", shift: 0 
 }
 
 /**
- * A wasm as it is inlined: its literal and the literal's shift, the room for its streams and itself, and what another can copy from it: its
- * bytes and the kinds of operations in it. `core` is the core's; of the core it is undefined.
+ * A wasm as it is inlined: its literal and the literal's shift, the room for its streams and itself, and what another
+ * can copy from it: its bytes and the kinds of operations in it. `core` is the core's; of the core it is undefined.
  */
 export async function inlined(wasm, core) {
   const numbered = withNumberedLocals(wasm);
@@ -107,7 +109,10 @@ export async function inlined(wasm, core) {
   return made;
 }
 
-/** The core's module: exports `wasmBytes()`, and what those of the others read theirs with. No address: the bytes are there. */
+/**
+ * The core's module: exports `wasmBytes()`, and what those of the others read theirs with. No address: the bytes are
+ * there.
+ */
 const coreModule = ({ shift, room }) => `import { decoded } from "./core/decode.ts";
 
 export const wasmAddress = undefined;

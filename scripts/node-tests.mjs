@@ -46,8 +46,8 @@ async function bundle(folder, out, parts) {
 const count = (tap, word) => Number(new RegExp(`^# ${word} (\\d+)$`, "m").exec(tap)?.[1] ?? 0);
 
 /**
- * Node 20 loses a wasm instance that a collection moves while a function asks to be compiled better, and dies of it (one run in thirty of a
- * test that calls 20,000 times without a pause): nothing is moved while something runs.
+ * Node 20 loses a wasm instance that a collection moves while a function asks to be compiled better, and dies of it
+ * (one run in thirty of a test that calls 20,000 times without a pause): nothing is moved while something runs.
  */
 const still = process.version.startsWith("v20.") ? ["--no-compact-with-stack"] : [];
 
@@ -65,7 +65,8 @@ function diagnostics(tap) {
 
 /**
  * Runs the tests under `folder`; `out` decides which `expline` they find (the package of the clone, or the packed one).
- * They run in the clone's folder, so that they can read its files. With `parts` only files that have one of them in their name do.
+ * They run in the clone's folder, so that they can read its files. With `parts` only files that have one of them in
+ * their name do.
  */
 export async function testNode(folder, out, { parts = [], env = {}, limit = 1_800_000 } = {}) {
   const files = await bundle(folder, out, parts);

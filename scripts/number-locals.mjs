@@ -1,4 +1,5 @@
-// Locals numbered anew: in the order of their first use. What is left to say of a use is then how long ago the last one was.
+// Locals numbered anew: in the order of their first use. What is left to say of a use is then how long ago the last one
+// was.
 
 import { leb, numberOf, putTogether, takenApart } from "./wasm-functions.mjs";
 

@@ -1,5 +1,5 @@
-// What the modules of the package export for each other only, under the short names that it has inside: the long ones are for those who read
-// the sources. They would be in every module that imports them, too.
+// What the modules of the package export for each other only, under the short names that it has inside: the long ones
+// are for those who read the sources. They would be in every module that imports them, too.
 
 const EXPORTS = /export\{([^{}]*)\};\s*$/;
 const IMPORTS = /import\{([^{}]*)\}from"\.\/([^"]*)"/g;

@@ -3,8 +3,8 @@
 // A panic of this build ends in a trap and nothing prints its message: the face turns the trap into an error with a
 // code and replaces the instance. But the code that would format the message stays linked, and is larger than the
 // mathematics. So the bodies of the functions that begin a panic become one `unreachable`; wasm-opt then drops what
-// only they called. So do those of formatting, which is there for panics and for `Debug`: no message is made in the wasm.
-// And so does, of each `&dyn Fn`, what would call it as an owned one: a borrowed one never is.
+// only they called. So do those of formatting, which is there for panics and for `Debug`: no message is made in the
+// wasm. And so does, of each `&dyn Fn`, what would call it as an owned one: a borrowed one never is.
 // Usage: node snip.mjs IN OUT
 
 import { readFileSync, writeFileSync } from "node:fs";
@@ -38,7 +38,8 @@ for (let i = wasm.getNumFunctions() - 1; i >= 0; i--) {
   wasm.addFunction(name, params, results, [], wasm.unreachable());
   count += 1;
 }
-// The face starts the engine by itself and hands it nothing but numbers: what the bindings would start it with is never called.
+// The face starts the engine by itself and hands it nothing but numbers: what the bindings would start it with is never
+// called.
 for (const name of ["__wbindgen_start", "__wbindgen_externrefs", "__abort_handler", "__instance_terminated"]) wasm.removeExport(name);
 if (count === 0) throw new Error("no panic function was found: are the names still in the wasm?");
 // What those messages were made of stays behind in the data: zeros of the same length compress to nothing, and the
@@ -85,7 +86,10 @@ function segments(file) {
   return [];
 }
 
-/** A place in the source is the address and the length of the path, line and column, four bytes each: nobody asks for it any more. */
+/**
+ * A place in the source is the address and the length of the path, line and column, four bytes each: nobody asks for it
+ * any more.
+ */
 function forgetPlaces(address, length) {
   const place = Buffer.alloc(8);
   place.writeUInt32LE(address, 0);

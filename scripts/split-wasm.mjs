@@ -1,20 +1,23 @@
 // The wasm sorted for compression: operations in one run of bytes, and what they work on in others, each with its like.
 //
-// In a wasm file numbers of locals, offsets and constants stand between the operations, and a compressor takes the one for the other.
-// Apart they are an eighth smaller after gzip. What comes out has a head that says how it is put together again:
+// In a wasm file numbers of locals, offsets and constants stand between the operations, and a compressor takes the one
+// for the other. Apart they are an eighth smaller after gzip. What comes out has a head that says how it is put
+// together again:
 //
 //   count of streams, count of rows
-//   a stream: its length in three bytes, and how its items are cut: 0 as LEB128, a type as a local of that type, 251 as doubles by number,
-//   252 as the beginning of a function, 253 as its end, 254 as LEB128 to be multiplied by 2 to the power of the byte before it, 255 by a
-//   first byte with the length, else so many bytes
-//   a row: how many bytes and 16 times how many items, the bytes as they are, and the numbers of the streams of the items
+//   a stream: its length in three bytes, and how its items are cut: 0 as LEB128, a type as a local of that type, 251 as
+//   doubles by number, 252 as the beginning of a function, 253 as its end, 254 as LEB128 to be multiplied by 2 to the
+//   power of the byte before it, 255 by a first byte with the length, else so many bytes
+//   a row: how many bytes and 16 times how many items, the bytes as they are, and the numbers of the streams of the
+//   items
 //   the streams; that of operations names the row of each
 //
-// A local is told by how many others of its type have been used since its last use, plus one; 0 is the next new one (number-locals.mjs).
-// How long a function is follows from where it ends, and what its locals are from their uses. A double is told by its number in the order of
-// first uses; 0 is the next new one, which is in the stream after that.
+// A local is told by how many others of its type have been used since its last use, plus one; 0 is the next new one
+// (number-locals.mjs). How long a function is follows from where it ends, and what its locals are from their uses. A
+// double is told by its number in the order of first uses; 0 is the next new one, which is in the stream after that.
 //
-// Where there are more kinds of operations than rows, the rarest are items of the raw stream, as they are: of them, those without locals.
+// Where there are more kinds of operations than rows, the rarest are items of the raw stream, as they are: of them,
+// those without locals.
 //
 // The decoder (decoder.mjs) puts it together.
 
@@ -22,8 +25,8 @@ import { typesOf } from "./number-locals.mjs";
 import { bodyOf, bytesOf, headOf, leb, numberOf, takenApart } from "./wasm-functions.mjs";
 
 /**
- * How items are cut: as LEB128, as doubles by their numbers, at the two ends of a function, as LEB128 in units of the alignment before, with
- * their length before them.
+ * How items are cut: as LEB128, as doubles by their numbers, at the two ends of a function, as LEB128 in units of the
+ * alignment before, with their length before them.
  */
 const LEB = 0;
 const NUMBERED = 251;
@@ -42,8 +45,9 @@ const F64 = 0x7c;
 const V128 = 0x7b;
 
 /**
- * The streams and how their items are cut. Gzip makes a code for sixteen thousand symbols at a time, so it matters what lies beside what: this is
- * the best of some thousand orders for the five files of the package, 1 % smaller than the long before the short.
+ * The streams and how their items are cut. Gzip makes a code for sixteen thousand symbols at a time, so it matters what
+ * lies beside what: this is the best of some thousand orders for the five files of the package, 1 % smaller than the
+ * long before the short.
  */
 const STREAMS = [
   ["offset of integer", SCALED],
@@ -128,8 +132,8 @@ class Recency {
 }
 
 /**
- * How memory is aligned goes with the operation nearly always: it is a part of it. Offsets are multiples of it nearly always, and shorter
- * in its units.
+ * How memory is aligned goes with the operation nearly always: it is a part of it. Offsets are multiples of it nearly
+ * always, and shorter in its units.
  */
 function aligned({ code, operands: [[, [align]], [, offset], ...rest] }, plain) {
   const units = numberOf(offset) / 2 ** align;
@@ -137,7 +141,9 @@ function aligned({ code, operands: [[, [align]], [, offset], ...rest] }, plain) 
   return { code: [...code, align], items: [[KINDS_OF_MEMORY.get(code[0]) ?? "offset", leb(units)], ...rest], plain };
 }
 
-/** An operation with its items; `plain` where it may be raw as well: all but uses of locals and the ends of functions. */
+/**
+ * An operation with its items; `plain` where it may be raw as well: all but uses of locals and the ends of functions.
+ */
 function operation(each, next, recency) {
   const { code, operands } = each;
   const [kind] = operands[0] ?? [];
@@ -183,8 +189,9 @@ const RAW = " raw";
 const keyOf = ({ code, items }) => `${code} ${items.map(([stream]) => stream)}`;
 
 /**
- * The kinds of operations, as [key, operation]: what the other wasm has too where it has it, so that what is alike in both looks alike, and
- * the others by how frequent they are: low numbers are shorter in the text. Where there are more than 256, the rarest are raw.
+ * The kinds of operations, as [key, operation]: what the other wasm has too where it has it, so that what is alike in
+ * both looks alike, and the others by how frequent they are: low numbers are shorter in the text. Where there are more
+ * than 256, the rarest are raw.
  */
 function kindsOf(operations, others) {
   const uses = new Map();
@@ -203,8 +210,8 @@ function kindsOf(operations, others) {
 }
 
 /**
- * The wasm in streams, with the head that says how to put them together, and the kinds of operations that are told apart; `others` are those
- * of another wasm.
+ * The wasm in streams, with the head that says how to put them together, and the kinds of operations that are told
+ * apart; `others` are those of another wasm.
  */
 export function splitWasm(wasm, others = []) {
   const all = operationsIn(wasm);

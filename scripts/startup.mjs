@@ -1,5 +1,5 @@
-// How long the package takes to start: its import, then the first call, which finds, compiles and instantiates the wasm. Node takes
-// `node.js`, which reads the wasm file; bundlers take `expline.js`, which has it inside.
+// How long the package takes to start: its import, then the first call, which finds, compiles and instantiates the
+// wasm. Node takes `node.js`, which reads the wasm file; bundlers take `expline.js`, which has it inside.
 
 import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";

@@ -51,8 +51,8 @@ export const seconds = (since) => `${((performance.now() - since) / 1000).toFixe
 
 /**
  * Runs `action` under a name, says how long it took, and skips it while the stamp of its inputs stands and its
- * outputs are there. Without `inputs` it always runs. What `action` returns as a string is added to the line. A step that
- * is not `alone` says its line when it is over.
+ * outputs are there. Without `inputs` it always runs. What `action` returns as a string is added to the line. A step
+ * that is not `alone` says its line when it is over.
  */
 export async function step(name, { inputs, outputs = [], salt = "", alone = true } = {}, action) {
   const stamp = at("build", "stamps", `${name.replace(/[^\w-]+/g, "-")}.txt`);
@@ -122,7 +122,9 @@ export function run(command, parameters, { env = {}, cwd = root, limit = 0 } = {
   });
 }
 
-/** Runs a command whose output goes straight to the terminal; a status other than 0 is a StepError with this message. */
+/**
+ * Runs a command whose output goes straight to the terminal; a status other than 0 is a StepError with this message.
+ */
 export async function show(command, parameters, message) {
   const child = spawn(command, parameters, { cwd: root, env: environment(), stdio: "inherit" });
   const status = await new Promise((resolve) => child.on("close", resolve));

@@ -43,7 +43,10 @@ async function check(name, action) {
   }
 }
 
-/** A suite of tests with counts of its own; one that cannot be built or started is one that failed, and so is one without tests. */
+/**
+ * A suite of tests with counts of its own; one that cannot be built or started is one that failed, and so is one
+ * without tests.
+ */
 async function suite(name, action) {
   let result;
   try {

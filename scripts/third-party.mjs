@@ -1,5 +1,5 @@
-// THIRD_PARTY_LICENSES: the licences of every crate that is linked into the wasm, and of every npm package that is bundled into the command line,
-// taken from themselves.
+// THIRD_PARTY_LICENSES: the licences of every crate that is linked into the wasm, and of every npm package that is
+// bundled into the command line, taken from themselves.
 
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
@@ -41,7 +41,10 @@ function licenceTexts(manifest) {
   return names.filter((n) => existsSync(join(folder, n))).map((n) => readFileSync(join(folder, n), "utf8").trim());
 }
 
-/** Writes the file; equal texts are printed once, under the names of all that carry them. `bundled`: names of npm packages. */
+/**
+ * Writes the file; equal texts are printed once, under the names of all that carry them. `bundled`: names of npm
+ * packages.
+ */
 export function writeThirdPartyLicenses(bundled) {
   const [crates, modules] = [linkedPackages(), bundledPackages(bundled)];
   const texts = new Map();

@@ -54,7 +54,10 @@ function lostWays(documents) {
   return found;
 }
 
-/** Headings of the third level that the contents of their document leave out; a document without contents leaves none out. */
+/**
+ * Headings of the third level that the contents of their document leave out; a document without contents leaves none
+ * out.
+ */
 function leftOut(documents) {
   return documents.flatMap((document) => {
     const text = readFileSync(at(document), "utf8");
@@ -64,7 +67,10 @@ function leftOut(documents) {
   });
 }
 
-/** A fresh clone can start, documents lead where they say and list what they have, versions agree, lock files name no host besides crates.io's index, sources stay readable in length. */
+/**
+ * A fresh clone can start, documents lead where they say and list what they have, versions agree, lock files name no
+ * host besides crates.io's index, sources stay readable in length.
+ */
 export async function checkTree() {
   const files = (await run("git", ["ls-files"])).split("\n").filter((file) => existsSync(at(file)));
   const documents = files.filter((file) => file.endsWith(".md"));

@@ -80,7 +80,10 @@ export function leb(number) {
 /** The number that is written so. */
 export const numberOf = (bytes) => new Reader(Uint8Array.from(bytes)).number();
 
-/** One function: the types of its parameters, of its locals as [count, type], and operations as { code, operands: [kind, bytes] }. */
+/**
+ * One function: the types of its parameters, of its locals as [count, type], and operations as { code, operands: [kind,
+ * bytes] }.
+ */
 function functionOf(reader, parameters) {
   const end = reader.number() + reader.at;
   const locals = reader.list(() => [reader.number(), reader.take(1)[0]]);
@@ -139,7 +142,10 @@ export function bodyOf({ locals, operations }) {
   return [...leb(locals.length), ...groups, ...operations.flatMap(bytesOf)];
 }
 
-/** What stands between what comes before the functions and the first of them: how many bytes they are, and how many functions. */
+/**
+ * What stands between what comes before the functions and the first of them: how many bytes they are, and how many
+ * functions.
+ */
 export function headOf(bodies) {
   const count = leb(bodies.length);
   const length = bodies.reduce((sum, body) => sum + leb(body.length).length + body.length, count.length);

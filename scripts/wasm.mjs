@@ -12,14 +12,14 @@ const BOUND = "build/bound";
 const INLINING = ["inline-wasm", "decoder", "copy-runs", "split-wasm", "number-locals", "wasm-functions"].map((name) => `scripts/${name}.mjs`);
 
 /**
- * No object lies below address 1024, where the stack ends, so an address and what is added to it never overflow: the sum is the
- * offset of a load or a store.
+ * No object lies below address 1024, where the stack ends, so an address and what is added to it never overflow: the
+ * sum is the offset of a load or a store.
  */
 const ADDRESSES = "--low-memory-unused";
 
 /**
- * wasm-opt, too, leaves functions functions there. Those of one room next to each other, which is the order of their names, are
- * less after compression: gzip looks back 32 kB only.
+ * wasm-opt, too, leaves functions functions there. Those of one room next to each other, which is the order of their
+ * names, are less after compression: gzip looks back 32 kB only.
  */
 const NOT_INLINED = ["-fimfs=0", "-aimfs=0", "-ocimfs=0"];
 
@@ -41,7 +41,10 @@ export async function buildXtask() {
   });
 }
 
-/** The flags of .cargo/config.toml, and how much the compiler may copy; loops that run who knows how often are never there several times. */
+/**
+ * The flags of .cargo/config.toml, and how much the compiler may copy; loops that run who knows how often are never
+ * there several times.
+ */
 function flags({ inline, unroll, unswitch }) {
   const [, list = ""] = /^rustflags = \[([^\]]*)\]/m.exec(readFileSync(at(".cargo/config.toml"), "utf8")) ?? [];
   const copies = [`inline-threshold=${inline}`, `unroll-threshold=${unroll}`, "unroll-runtime=false", `unswitch-threshold=${unswitch}`];
@@ -55,7 +58,8 @@ export async function buildWasm() {
     await sideBySide(KINDS, async (kind) => {
       const env = { CARGO_ENCODED_RUSTFLAGS: flags(kind).join("\x1f"), CARGO_TARGET_DIR: at(target(kind)) };
       const features = ["--no-default-features", "--features", kind.feature];
-      // Of a wasm alone, without the library for Rust beside it, the compiler knows more to be called from one place only.
+      // Of a wasm alone, without the library for Rust beside it, the compiler knows more to be called from one place
+      // only.
       const library = ["rustc", "--lib", "--crate-type", "cdylib"];
       await run("cargo", [...library, "--locked", "-p", "expline", "--release", "--target", "wasm32-unknown-unknown", ...features], { env });
     });
