@@ -1,4 +1,5 @@
-// How much memory wasm takes for one sparse fit. Usage: node bench/memory.mjs POINTS PLACES; prints bytes before and after, of the engine that fits.
+// How much memory wasm takes for one sparse fit. Usage: node bench/memory.mjs POINTS PLACES; prints bytes before and
+// after, of the engine that fits.
 
 const { Instance } = WebAssembly;
 const memories = [];

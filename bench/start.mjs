@@ -1,4 +1,5 @@
-// One start in a fresh process: milliseconds for the import, and for the first answer after it. Usage: node bench/start.mjs LIBRARY
+// One start in a fresh process: milliseconds for the import, and for the first answer after it. Usage: node
+// bench/start.mjs LIBRARY
 
 /** What each library is asked first: a point of a curve. */
 const FIRST = {

@@ -131,7 +131,10 @@ export const pathText = (() => {
   return `M${number()},${number()} ${segments.join(" ")} Z`;
 })();
 
-/** The distance from the first `count` queries to the curve by brute force: every low place of a dense sampling, refined. */
+/**
+ * The distance from the first `count` queries to the curve by brute force: every low place of a dense sampling,
+ * refined.
+ */
 export function trueDistances(count) {
   const n = SEGMENTS * 64;
   const xs = Float64Array.from({ length: n }, (_, i) => coordinate(i / 64, 0));

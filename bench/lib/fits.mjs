@@ -20,8 +20,8 @@ const RIVALS = [
 ];
 
 /**
- * One fit from nothing, and steps of the slider. `splines` are [degree, places for knots] each, `detail` how many points long what is kept is; `rivals` says whether other
- * solvers have a go.
+ * One fit from nothing, and steps of the slider. `splines` are [degree, places for knots] each, `detail` how many
+ * points long what is kept is; `rivals` says whether other solvers have a go.
  */
 function sized(count, splines, detail, [cold, warm], rivals) {
   const degrees = splines.map(([degree]) => degree).join(" + ");

@@ -13,7 +13,9 @@ export function normal(next) {
   return Math.sqrt(-2 * Math.log(1 - next())) * Math.cos(2 * Math.PI * next());
 }
 
-/** A closed outline some 400 across with smooth lobes and four corners, `count` points along it, noise of deviation 1. */
+/**
+ * A closed outline some 400 across with smooth lobes and four corners, `count` points along it, noise of deviation 1.
+ */
 export function outline(count) {
   const next = random(count);
   return Float64Array.from({ length: 2 * count }, (_, i) => {

@@ -50,7 +50,9 @@ export class Native {
     this.#say(command, numbers);
   }
 
-  /** The sparse fit that the solvers' rows are about: how many splines, degree, λ and places of each, then the points. */
+  /**
+   * The sparse fit that the solvers' rows are about: how many splines, degree, λ and places of each, then the points.
+   */
   sparse(numbers) {
     this.#say("sparse", numbers);
   }

@@ -1,4 +1,5 @@
-// Tracers side by side on pictures whose outlines are known. Usage: node bench/trace/run.mjs NATIVE-PROGRAM [part of a section's name] [--keep FOLDER] [--worst]
+// Tracers side by side on pictures whose outlines are known. Usage: node bench/trace/run.mjs NATIVE-PROGRAM [part of a
+// section's name] [--keep FOLDER] [--worst]
 
 import { mkdirSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";

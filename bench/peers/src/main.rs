@@ -1,7 +1,8 @@
-//! kurbo and expline as native code, asked line by line, so that the benchmark can take turns between them and the rest.
+//! kurbo and expline as native code, asked line by line, so that the benchmark can take turns between them and the
+//! rest.
 //!
-//! In: `cubics N…`, `hermite OMEGA N…`, `exponential OMEGA N…`, `queries N…`, `sparse N…`, `text D`, `run NAME TIMES`. Out, for `run` only: nanoseconds for
-//! all the times together, and the result's numbers.
+//! In: `cubics N…`, `hermite OMEGA N…`, `exponential OMEGA N…`, `queries N…`, `sparse N…`, `text D`, `run NAME TIMES`.
+//! Out, for `run` only: nanoseconds for all the times together, and the result's numbers.
 
 mod fitted;
 mod sparse;

@@ -67,7 +67,8 @@ impl Sparse {
         Ok(admm.objective())
     }
 
-    /// Unknowns: x coefficients of all splines, their y coefficients, then for each knot a bound on the length of its jump.
+    /// Unknowns: x coefficients of all splines, their y coefficients, then for each knot a bound on the length of its
+    /// jump.
     fn clarabel(&self) -> Result<f64, Failure> {
         let count = self.points.len();
         let sizes: Vec<usize> = self.splines.iter().map(|s| s.2).collect();
@@ -170,7 +171,8 @@ fn b_spline(degree: usize, x: f64) -> f64 {
     ((half + x) * b_spline(degree - 1, x + 0.5) + (half - x) * b_spline(degree - 1, x - 0.5)) / degree as f64
 }
 
-/// The jump at the k-th knot of a closed spline of odd degree on a grid of step 1: indices of coefficients, and their weights.
+/// The jump at the k-th knot of a closed spline of odd degree on a grid of step 1: indices of coefficients, and their
+/// weights.
 fn jump(degree: usize, size: usize, k: usize) -> impl Iterator<Item = (usize, f64)> {
     let power = degree + 1;
     let mut weight = 1.0;

@@ -1,4 +1,5 @@
-// The times that Raffo and Biasotti print for their method (Mathematics 9(23):3084, Table 4), beside ours for profiles of as many edge points.
+// The times that Raffo and Biasotti print for their method (Mathematics 9(23):3084, Table 4), beside ours for profiles
+// of as many edge points.
 
 /** Figure, tubes, edge points, seconds. */
 const PRINTED = [

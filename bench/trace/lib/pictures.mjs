@@ -12,7 +12,10 @@ const json = (name) => JSON.parse(readFileSync(at(name), "utf8"));
 /** The size in pixels that a condition's name says. */
 export const sizeOf = (condition) => Number(condition.slice(1));
 
-/** Logos, glyphs and analytic shapes: their outlines in the unit square, and how to get their picture in a condition; those of two shades are drawn here. */
+/**
+ * Logos, glyphs and analytic shapes: their outlines in the unit square, and how to get their picture in a condition;
+ * those of two shades are drawn here.
+ */
 export function kept() {
   const { conditions, shapes } = json("outlines.json");
   const read = (shape, condition) => readPng(readFileSync(at(`outlines/${shape.id}_${condition}.png`)));

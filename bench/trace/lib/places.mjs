@@ -30,7 +30,10 @@ export class Places {
     return row * this.columns + column;
   }
 
-  /** The `k` nearest, near ones first: writes their indices, and gives the distance to the first; Infinity where there is none. */
+  /**
+   * The `k` nearest, near ones first: writes their indices, and gives the distance to the first; Infinity where there
+   * is none.
+   */
   nearest(x, y, k, indices) {
     const found = [];
     const limit = Math.min(k, this.count);

@@ -9,7 +9,10 @@ import { drawn } from "./unseen.mjs";
 
 const SIZE = 256;
 
-/** The drawn commands of path data, absolute, with the place that each starts from; lines are all L, the closing one too. */
+/**
+ * The drawn commands of path data, absolute, with the place that each starts from; lines are all L, the closing one
+ * too.
+ */
 function commands(d) {
   const out = [];
   let start = [0, 0];

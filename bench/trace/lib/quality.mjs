@@ -26,7 +26,10 @@ distance). g1: tangent breaks per picture that are not in the truth. bytes: size
 
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1] ?? NaN;
 
-/** Scores of every contestant on every shape of a set in one condition: [{ name, row, scores }]; `keep` is shown every drawing. */
+/**
+ * Scores of every contestant on every shape of a set in one condition: [{ name, row, scores }]; `keep` is shown every
+ * drawing.
+ */
 export async function measured(set, condition, contestants, keep = () => {}) {
   const results = contestants.map(([name]) => ({ name, scores: [], times: [] }));
   for (const shape of set.shapes) {

@@ -67,7 +67,9 @@ function elements(text) {
   return found;
 }
 
-/** From a drawing's own units to pixels of a picture of that size: stretched, as a browser would show it in that box. */
+/**
+ * From a drawing's own units to pixels of a picture of that size: stretched, as a browser would show it in that box.
+ */
 function pixels(text, size) {
   const root = attributes(/<svg\b((?:[^>"']|"[^"]*"|'[^']*')*)>/.exec(text)?.[1] ?? "");
   const box = root.viewBox?.trim().split(/[\s,]+/).map(Number) ?? [0, 0, number(root.width, size), number(root.height, size)];

@@ -30,7 +30,10 @@ async function least(times, prepare, run) {
   return best;
 }
 
-/** potrace compiled to wasm; dark and light only, all else as it comes. Its build for browsers finds in Node what it takes for CommonJS. */
+/**
+ * potrace compiled to wasm; dark and light only, all else as it comes. Its build for browsers finds in Node what it
+ * takes for CommonJS.
+ */
 async function potrace() {
   Object.assign(globalThis, { require, __dirname: "", ImageData });
   const { init, potrace: run } = await import("esm-potrace-wasm");
@@ -59,7 +62,10 @@ async function vtracer() {
   return (picture, times) => least(times, () => new ImageData(picture), run);
 }
 
-/** imagetracerjs with white and black as its palette, in this order so that ink lies on top, and no strokes on top of the outlines. */
+/**
+ * imagetracerjs with white and black as its palette, in this order so that ink lies on top, and no strokes on top of
+ * the outlines.
+ */
 async function imagetracer() {
   const tracer = require("imagetracerjs");
   const pal = [255, 0].map((v) => ({ r: v, g: v, b: v, a: 255 }));
@@ -94,7 +100,10 @@ function native(program) {
   };
 }
 
-/** By name, ours first: those whose drawings are scored, and all whose time is taken; `centreLines` is ours. `close` ends the native program. */
+/**
+ * By name, ours first: those whose drawings are scored, and all whose time is taken; `centreLines` is ours. `close`
+ * ends the native program.
+ */
 export async function tracers(program) {
   const own = native(program);
   const scored = [

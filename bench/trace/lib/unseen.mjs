@@ -99,7 +99,10 @@ export function drawn(shape, size) {
   return inked(size, new Raster(size, size).add(shape.contours, size).coverage());
 }
 
-/** A shape's picture from so many rows of so many samples in each pixel; with four it is as browsers and many programs draw it. */
+/**
+ * A shape's picture from so many rows of so many samples in each pixel; with four it is as browsers and many programs
+ * draw it.
+ */
 function sampled(shape, size, rows) {
   const fine = rows * size;
   const samples = new Raster(fine, fine).add(shape.contours, fine).coverage();

@@ -1,7 +1,8 @@
 //! expline's tracer as native code, asked line by line.
 //!
-//! In: `outlines WIDTH HEIGHT REFINED TIMES SHADES`, or `lines` for centre lines; shades as two hexadecimal digits for each pixel. Out: nanoseconds for all the times together,
-//! the least of them, and path data, or `! ` and why there is none.
+//! In: `outlines WIDTH HEIGHT REFINED TIMES SHADES`, or `lines` for centre lines; shades as two hexadecimal digits for
+//! each pixel. Out: nanoseconds for all the times together, the least of them, and path data, or `! ` and why there is
+//! none.
 
 use std::hint::black_box;
 use std::io::{BufRead, Write};
