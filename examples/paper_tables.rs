@@ -1,5 +1,6 @@
-//! Six ways to follow the same tubes of the same edges, on pictures drawn here: `cargo run --example paper_tables` writes the table in
-//! docs/PROFILES.md; `cargo run --release --example paper_tables times` prints how long profiles take.
+//! Six ways to follow the same tubes of the same edges, on pictures drawn here: `cargo run --example paper_tables`
+//! writes the table in docs/PROFILES.md; `cargo run --release --example paper_tables times` prints how long profiles
+//! take.
 
 #[path = "profiles/estimators.rs"]
 mod estimators;

@@ -1,5 +1,5 @@
-//! Traces a binary PGM picture: `cargo run --release --example trace in.pgm out.svg`, with `edges` or `lines` behind it for edges or the centre
-//! lines of strokes.
+//! Traces a binary PGM picture: `cargo run --release --example trace in.pgm out.svg`, with `edges` or `lines` behind it
+//! for edges or the centre lines of strokes.
 
 use expline::svg::{PrintOptions, to_path_d};
 use expline::trace::{Gray, Source, TraceOptions, trace};

@@ -12,7 +12,8 @@ use nalgebra::{Matrix4, Vector4};
 use support::curves::Random;
 use support::unboxed;
 
-/// Points of size 1 and entries of size 2 give images of size 10; each is a sum of a dozen roundings, and so is the curve.
+/// Points of size 1 and entries of size 2 give images of size 10; each is a sum of a dozen roundings, and so is the
+/// curve.
 const SAME: f64 = 1e-13;
 
 const SPACE: [f64; 16] =

@@ -23,7 +23,8 @@ const DRAWING: [(&str, &[&str]); 11] = [
     ),
 ];
 
-/// Rooms within rooms, and the neighbours that each may import; what stands beside them in the same room is open to all.
+/// Rooms within rooms, and the neighbours that each may import; what stands beside them in the same room is open to
+/// all.
 const INNER: [(&str, &[&str]); 12] = [
     ("curve/hermite", &[]),
     ("curve/spline_curve", &[]),
@@ -91,8 +92,8 @@ fn identifier(text: &str) -> &str {
     &text[..end]
 }
 
-/// The names that follow `crate::`, the path of the module that encloses a source in so many steps from the root, or a chain of `super::` that
-/// ends there.
+/// The names that follow `crate::`, the path of the module that encloses a source in so many steps from the root, or a
+/// chain of `super::` that ends there.
 fn names_in(source: &Source, steps: usize) -> Vec<String> {
     let code = source.code().collect::<Vec<_>>().join("\n");
     let mut names = Vec::new();
@@ -202,7 +203,8 @@ fn shape_violations(source: &Source) -> Vec<String> {
     found
 }
 
-/// Closures that are owned behind a pointer, or called once: the build cuts what would call them out of the wasm (scripts/snip.mjs).
+/// Closures that are owned behind a pointer, or called once: the build cuts what would call them out of the wasm
+/// (scripts/snip.mjs).
 fn closure_violations(source: &Source) -> Vec<String> {
     let owned = source.code().filter(|line| line.contains("<dyn Fn") || line.contains("dyn FnOnce"));
     owned.map(|line| format!("{}: {} would trap in the wasm", source.path, line.trim())).collect()

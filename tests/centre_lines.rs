@@ -175,7 +175,8 @@ fn thin_strokes_end_in_the_middles_of_their_round_ends_whichever_way_they_go() {
     }
 }
 
-/// The only place or two of an outline that are about such an end were taken for none: lines ended in the skeleton's last pixel, up to .7 beside.
+/// The only place or two of an outline that are about such an end were taken for none: lines ended in the skeleton's
+/// last pixel, up to .7 beside.
 #[test]
 fn strokes_hardly_wider_than_a_pixel_run_straight_to_their_ends() {
     for (half, slope) in
@@ -354,7 +355,8 @@ fn edges_come_through_the_same_door_by_both_models() {
 
 #[test]
 fn no_line_leaves_the_picture_where_its_ink_is_no_stroke() {
-    // A dark sheet with a hole: what lies between hole and border is no stroke, and middles of its sides were 5 pixels outside.
+    // A dark sheet with a hole: what lies between hole and border is no stroke, and middles of its sides were 5 pixels
+    // outside.
     for (width, height, radius) in [(100, 15, 5.0), (40, 15, 5.0), (30, 11, 4.0)] {
         let hole = |i: usize| {
             let (x, y) = ((i % width) as f64, (i / width) as f64);

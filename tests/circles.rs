@@ -146,8 +146,8 @@ fn arrows_of(house: &House) -> Arrows {
     arrows
 }
 
-/// Modules from which a way leads back to themselves: what is left when those that nothing leads on from are taken away,
-/// one after the other, and those that nothing leads to.
+/// Modules from which a way leads back to themselves: what is left when those that nothing leads on from are taken
+/// away, one after the other, and those that nothing leads to.
 fn in_circles(arrows: &Arrows) -> Vec<String> {
     let mut left = arrows.clone();
     loop {

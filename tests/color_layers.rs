@@ -1,4 +1,5 @@
-//! Pictures of a few flat colours come back as shapes that lie on one another, and nothing of what is below shows between them.
+//! Pictures of a few flat colours come back as shapes that lie on one another, and nothing of what is below shows
+//! between them.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -38,8 +39,8 @@ fn inside(polygons: &[Vec<Point>], x: f64, y: f64) -> bool {
     odd
 }
 
-/// Compares what the layers show at many places with what was painted; places nearer than `edge` to another colour do not count. The
-/// colours below must not show there either.
+/// Compares what the layers show at many places with what was painted; places nearer than `edge` to another colour do
+/// not count. The colours below must not show there either.
 fn assert_shows(width: usize, height: usize, layers: &[TracedLayer], paint: Paint, edge: f64) {
     let polygons = polygons(layers);
     let mut looked = 0;
@@ -128,7 +129,8 @@ fn an_edge_between_pale_colours_is_the_one_between_black_and_white() {
         layers[1].contours[0].curve.points().len()
     };
     let clear = segments([WHITE, [0, 0, 0]]);
-    // Roundings of the channels are three times as large beside the way from one colour to the other: one joint for them.
+    // Roundings of the channels are three times as large beside the way from one colour to the other: one joint for
+    // them.
     let pale = segments([[144, 205, 232], [240, 214, 166]]);
     assert!(clear <= 10 && pale <= clear + 1, "{pale} points where black and white have {clear}");
 }

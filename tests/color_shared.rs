@@ -1,4 +1,5 @@
-//! Pictures whose pixels share their hues, as JPEG keeps them: what is between two hues is no colour. Hairlines in pictures that share nothing are.
+//! Pictures whose pixels share their hues, as JPEG keeps them: what is between two hues is no colour. Hairlines in
+//! pictures that share nothing are.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -26,8 +27,8 @@ fn ycc([r, g, b]: [f64; 3]) -> [f64; 3] {
     [y, (b - y) / 1.772, (r - y) / 1.402]
 }
 
-/// What is left of an opaque picture when each square of four pixels keeps one hue, the mean of theirs, and pixels take three quarters along
-/// each axis from their own and one from the next.
+/// What is left of an opaque picture when each square of four pixels keeps one hue, the mean of theirs, and pixels take
+/// three quarters along each axis from their own and one from the next.
 fn shared(bytes: &[u8]) -> Vec<u8> {
     let pixels: Vec<[f64; 3]> =
         bytes.as_chunks::<4>().0.iter().map(|&[r, g, b, _]| ycc([r, g, b].map(f64::from))).collect();
@@ -95,7 +96,8 @@ fn what_is_between_hues_that_pixels_share_is_no_colour() {
     }
 }
 
-/// What is to the left, a line and what is to the right: grounds that have the line's hue between them, and grounds that are one.
+/// What is to the left, a line and what is to the right: grounds that have the line's hue between them, and grounds
+/// that are one.
 const RULES: [[Color; 3]; 8] = [
     [[0, 0, 255], BLACK, [255, 255, 0]],
     [[0, 255, 0], BLACK, [255, 0, 255]],
@@ -144,7 +146,8 @@ fn hairlines_aslant_are_no_edges_of_shared_hues() {
                 right
             })
         };
-        // Pixels that the line covers most show nine tenths of it; a line that is paler than that beside its grounds is not asked for.
+        // Pixels that the line covers most show nine tenths of it; a line that is paler than that beside its grounds is
+        // not asked for.
         let bytes = draw(SIDE, SIDE, &aslant);
         let off = palette(SIDE, &bytes, 8).iter().map(|&other| apart(line, other)).min();
         assert!(off <= Some(32) || apart(left, line).max(apart(right, line)) < 64, "{line:?}: {off:?}");

@@ -1,4 +1,5 @@
-//! Surfaces and curves in space against what they are by definition: the sum over all points, wherever it comes from, and brute force.
+//! Surfaces and curves in space against what they are by definition: the sum over all points, wherever it comes from,
+//! and brute force.
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -35,7 +36,8 @@ fn random_direction(random: &mut Random) -> Direction {
     Direction { roots, count, closed, level }
 }
 
-/// What every row of a direction weighs at t: the function's shift to where the row is, and of a closed one all turns of it.
+/// What every row of a direction weighs at t: the function's shift to where the row is, and of a closed one all turns
+/// of it.
 fn weights(direction: &Direction, t: f64, derivative: usize) -> Vec<f64> {
     let Direction { roots, count, closed, level } = direction;
     let (scale, order) = (f64::from(1 << level), roots.order() as f64);

@@ -45,7 +45,8 @@ fn a_disk_has_one_closed_profile_within_a_twentieth_of_a_pixel() {
     let off = |p: &Point| (p - Point::new(31.3, 32.6)).norm() - 22.7;
     let mean = found[0].points().iter().map(off).sum::<f64>() / found[0].points().len() as f64;
     let most = found[0].points().iter().map(|p| off(p).abs()).fold(0.0, f64::max);
-    // A Gaussian of deviation σ moves the largest change inwards by σ²/2R: 0.02 here, and half of it again for Sobel's mask and the pixels.
+    // A Gaussian of deviation σ moves the largest change inwards by σ²/2R: 0.02 here, and half of it again for Sobel's
+    // mask and the pixels.
     assert!((-0.06..0.0).contains(&mean) && most < 0.1, "mean {mean}, most {most}");
     // The ring goes round once, and neighbours are neighbours.
     let points = found[0].points();

@@ -1,4 +1,5 @@
-//! Promises about curves as values: what has the same numbers is equal, whatever way it was made, and what differs in one of them is not.
+//! Promises about curves as values: what has the same numbers is equal, whatever way it was made, and what differs in
+//! one of them is not.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 

@@ -82,8 +82,8 @@ fn clicks_along_straight_strokes_show_the_corners_between() {
                 let inner = &vertices[1..vertices.len() - 1];
                 assert_eq!(corners.len(), inner.len(), "{name} of {count}, seed {seed}: {corners:?}");
                 for (corner, vertex) in corners.iter().zip(inner) {
-                    // Nobody clicked there: lines through the clicks on both sides meet in it, or the last click before it is taken for
-                    // it, which is within a step.
+                    // Nobody clicked there: lines through the clicks on both sides meet in it, or the last click before
+                    // it is taken for it, which is within a step.
                     let step = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).fold(0.0, f64::max);
                     let off = (corner - vertex).norm();
                     assert!(off < step, "{name} of {count}, seed {seed}: {off} of a step of {step}");
@@ -95,7 +95,8 @@ fn clicks_along_straight_strokes_show_the_corners_between() {
 
 #[test]
 fn clicks_at_the_vertices_of_a_zigzag_are_its_corners() {
-    // A curve that bends is seen to bend at more than one point: where the way turns left and right at every click, each is a corner.
+    // A curve that bends is seen to bend at more than one point: where the way turns left and right at every click,
+    // each is a corner.
     for seed in 0..12 {
         let mut random = Random::new(seed);
         let count = 9 + (seed % 4) as usize;

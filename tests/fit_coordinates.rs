@@ -78,7 +78,8 @@ fn what_a_fit_by_coordinates_says_of_its_curve_is_true_of_it() {
                 let what = format!("degrees {degrees:?}, closed {closed}, {count} points, {smoothing:.3}");
                 assert_eq!(own.status, Status::Converged, "{what}: gap {:e}", own.gap);
                 assert!(own.gap <= asked, "{what}: converged with a gap of {:e}", own.gap);
-                // By de Boor's rule from the coefficients: 1e-11 of a jump is what differences of degree 5 leave of them.
+                // By de Boor's rule from the coefficients: 1e-11 of a jump is what differences of degree 5 leave of
+                // them.
                 problem.norm = Norm::L1;
                 let proof = verify(&problem, &own).expect("a solution of this problem");
                 let off = (proof.objective / own.objective - 1.0).abs();
@@ -90,8 +91,9 @@ fn what_a_fit_by_coordinates_says_of_its_curve_is_true_of_it() {
                 );
                 let off = (cost(&own) / own.objective - 1.0).abs();
                 assert!(off < 1e-12, "{what}: so it says itself, but for {off:e}");
-                // The residuals' rounding, integrated up to six times, loosens the bound: on true knots 1e-5 is the most seen. A
-                // curve of degree 4 or 5, or of two, with other knots than these may prove little of itself: the optimum is proved.
+                // The residuals' rounding, integrated up to six times, loosens the bound: on true knots 1e-5 is the
+                // most seen. A curve of degree 4 or 5, or of two, with other knots than these may prove little of
+                // itself: the optimum is proved.
                 let finer = solved(&problem, Norm::L1, 1e-10);
                 if matches!(degrees, [1..=3]) || own.knot_count() == finer.knot_count() {
                     assert!(proof.gap < 2.0 * asked + 1e-4, "{what}: proved {:e}", proof.gap);

@@ -62,7 +62,8 @@ fn uneven_points_are_not_taken_for_even_ones() {
     for seed in 0..12 {
         assert!(regular(&ellipse(500, 2.0, 0.0, seed)), "noise {seed}: as noisy, and even");
     }
-    // Over ten steps chance adds up to 2.1 times the noise, whose median fifty stretches tell to a sixth: one of some may pass.
+    // Over ten steps chance adds up to 2.1 times the noise, whose median fifty stretches tell to a sixth: one of some
+    // may pass.
     let taken = (0..12).filter(|&seed| regular(&hidden(seed))).count();
     assert!(taken <= 2, "{taken} of 12 were taken for even: spacing adds up over many steps");
 }
@@ -102,7 +103,8 @@ fn a_smoothing_of_points_with_gaps_stays_by_the_points_and_runs_on_between_them(
             let found = fit(&points, Ask::Smoothing(smoothing), &options).expect("it can be fitted");
             let which = format!("noise {seed}, degrees {degrees:?}, smoothing {smoothing}");
             assert!(found.rms < 3.0, "{which}: {} is twice the noise, of a wave of 120", found.rms);
-            // Where a gap's length was shared by the steps around it, the curve went to and fro beside it, by 29 in the worst case.
+            // Where a gap's length was shared by the steps around it, the curve went to and fro beside it, by 29 in the
+            // worst case.
             let mut farthest = f64::NEG_INFINITY;
             let mut back = 0.0_f64;
             for i in 0..=3000 {
@@ -167,7 +169,8 @@ fn ends_that_meet_make_a_closed_curve() {
     assert_eq!(other.parameters[0], other.parameters[200], "and has its parameter");
 }
 
-/// A star of five tips, and points on it `step` apart: on every side alike, or for as long as the way goes, from one side to the next.
+/// A star of five tips, and points on it `step` apart: on every side alike, or for as long as the way goes, from one
+/// side to the next.
 fn star() -> Vec<Point> {
     let corner = |j: usize| {
         let angle = core::f64::consts::TAU * (j as f64 / 10.0 - 0.25);
@@ -241,8 +244,8 @@ fn a_contour_may_close_with_a_step_of_any_length() {
             for corner in &corners {
                 let away = |knot: &expline::fit::Knot| (knot.point - corner).norm();
                 let nearest = found.knots.iter().map(away).fold(f64::INFINITY, f64::min);
-                // Corners between two points are where lines on both sides meet: what is no noise is a ten-thousandth of the
-                // drawing, and a line through 15 points is known to half of that.
+                // Corners between two points are where lines on both sides meet: what is no noise is a ten-thousandth
+                // of the drawing, and a line through 15 points is known to half of that.
                 assert!(nearest < 0.05, "{count} points, {part} of a step: {nearest} from a corner");
             }
         }

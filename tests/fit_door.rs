@@ -216,7 +216,8 @@ fn no_price_and_weights_a_million_times_apart_end_as_they_say() {
                 let what = format!("{count}, {low} to {high}, degree {degree}, closed {closed}");
                 let reached = fitted.gap <= options.gap;
                 assert_eq!(fitted.status == FitStatus::Converged, reached, "{what}: {}", fitted.gap);
-                // There is a curve through all points: a ten-millionth of the drawing is nothing in the squares of weight 1e-3.
+                // There is a curve through all points: a ten-millionth of the drawing is nothing in the squares of
+                // weight 1e-3.
                 if low >= 1e-3 {
                     assert!(reached && fitted.max_error <= 5e-6, "{what}: {}", fitted.max_error);
                 }

@@ -1,4 +1,5 @@
-//! Sparse fits obey the laws of their problem: prices, rotations, scales, weights, warm starts; and nothing breaks them.
+//! Sparse fits obey the laws of their problem: prices, rotations, scales, weights, warm starts; and nothing breaks
+//! them.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 

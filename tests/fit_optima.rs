@@ -1,4 +1,5 @@
-//! Sparse fits reach the optimum: golden objectives, errors, knots and curves, each with a gap proved by the certificate.
+//! Sparse fits reach the optimum: golden objectives, errors, knots and curves, each with a gap proved by the
+//! certificate.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 

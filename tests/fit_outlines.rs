@@ -1,5 +1,5 @@
-//! Outlines that have their sides by their ends only, as flattened paths and polygons do, are followed along the sides; few points are led
-//! through.
+//! Outlines that have their sides by their ends only, as flattened paths and polygons do, are followed along the sides;
+//! few points are led through.
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -189,7 +189,8 @@ fn a_polyline_by_its_vertices_alone_is_kept_to_as_near_as_its_points() {
     for (name, polygon, _) in polygons() {
         let open = Options { closed: Some(false), ..Options::default() };
         let found = fit(&polygon, Ask::Tolerance(0.5), &open).expect("it can be fitted");
-        // Where sides are followed by points an eighth of them apart, 1.3 to 15, a curve is free by about as much between these.
+        // Where sides are followed by points an eighth of them apart, 1.3 to 15, a curve is free by about as much
+        // between these.
         let off = astray(&found, &polygon);
         assert!(off < 2.0, "{name}: {off} astray");
         assert!(found.max_error <= 0.5, "{name}: {}", found.max_error);
@@ -402,8 +403,8 @@ fn few_clean_points_of_a_curve_are_not_noisy() {
 
 #[test]
 fn the_noise_of_few_points_is_still_told() {
-    // Sixth and eighth differences of white noise say the same as fourth ones: the median over a hundred lists tells how much less
-    // the least of the three is.
+    // Sixth and eighth differences of white noise say the same as fourth ones: the median over a hundred lists tells
+    // how much less the least of the three is.
     for count in [12, 20, 40, 60] {
         for closed in [true, false] {
             let turn = if closed { 2.0 * PI } else { 3.0 };
@@ -455,7 +456,8 @@ fn corners(points: &[Point], ask: Ask) -> usize {
 
 #[test]
 fn few_clean_points_of_an_ellipse_have_no_corner() {
-    // Corners are cheap where points are few: two of five had some without a strength, three of four within a ten-thousandth.
+    // Corners are cheap where points are few: two of five had some without a strength, three of four within a
+    // ten-thousandth.
     for count in [9, 12, 15, 20, 28, 40] {
         for ratio in [0.3, 0.5, 0.8] {
             for (begin, even, turned) in
@@ -504,7 +506,8 @@ fn clicks(at: impl Fn(f64) -> Point, count: usize, seed: u64) -> Vec<Point> {
 
 #[test]
 fn a_dozen_clicks_along_an_open_curve_are_followed() {
-    // Bends and steps of all lengths were taken for noise: a spiral of ten points was 42 astray, two waves became a line.
+    // Bends and steps of all lengths were taken for noise: a spiral of ten points was 42 astray, two waves became a
+    // line.
     let spiral = |share: f64| {
         let (angle, radius) = (3.2 * PI * share, 20.0 + 100.0 * share);
         Point::new(radius * libm::cos(angle), radius * libm::sin(angle))

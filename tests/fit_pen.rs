@@ -1,4 +1,5 @@
-//! Strokes as a pen makes them: slow where they begin, end and turn, a point every 8 ms, noise, and places rounded to pixels.
+//! Strokes as a pen makes them: slow where they begin, end and turn, a point every 8 ms, noise, and places rounded to
+//! pixels.
 #![cfg(not(target_arch = "wasm32"))]
 
 mod support;
@@ -66,8 +67,8 @@ fn radius([a, b, c]: [Point; 3]) -> f64 {
     (one.norm() * other.norm() * chord.norm() / (2.0 * area).max(1e-300)).min(400.0)
 }
 
-/// A stroke of so many seconds: the hand's speed is a power of a third of the radius (the two-thirds law of angular speed), and it
-/// speeds up from where it begins and slows down to where it ends.
+/// A stroke of so many seconds: the hand's speed is a power of a third of the radius (the two-thirds law of angular
+/// speed), and it speeds up from where it begins and slows down to where it ends.
 fn stroke(drawing: &Drawing, seconds: f64, sigma: f64, random: &mut Random) -> Vec<Point> {
     let places: Vec<Point> = (0..=FINE).map(|i| (drawing.way)(i as f64 / FINE as f64)).collect();
     let mut lengths = vec![0.0];
@@ -144,7 +145,8 @@ fn smooth_strokes_of_a_pen_have_no_corners() {
         off += away(fitted, drawing.way) / noise;
     });
     let shares = [cornered, sharp, knots, off].map(|sum| sum / all);
-    // Measured .18, .25, 8.5 and .45; held by their numbers, and without joints at one speed (D 13.18), .83, 2.3, 8.0 and .49.
+    // Measured .18, .25, 8.5 and .45; held by their numbers, and without joints at one speed (D 13.18), .83, 2.3, 8.0
+    // and .49.
     assert!(shares[0] <= 0.25 && shares[1] <= 0.3, "corners in {}, {} each", shares[0], shares[1]);
     assert!(shares[2] <= 9.0, "{} knots", shares[2]);
     assert!(shares[3] <= 0.48, "rms {} of the noise", shares[3]);

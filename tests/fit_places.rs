@@ -67,7 +67,8 @@ fn nowhere_around_its_place_is_the_curve_nearer_to_a_point() {
             let here = distance(&fitted, t, point);
             for step in [-1e-5, 1e-5] {
                 let beside = distance(&fitted, t + step * (last - first), point);
-                // What is left to win is a millionth of a millionth of the square; curves are known to 1e-13 of their size.
+                // What is left to win is a millionth of a millionth of the square; curves are known to 1e-13 of their
+                // size.
                 assert!(beside > here * (1.0 - 1e-9) - 1e-10, "{what}: {beside} beside a place at {here}");
             }
             largest = largest.max(here);

@@ -11,7 +11,8 @@ use support::curves::Random;
 
 const COUNT: usize = 4000;
 
-/// A coast: the middle of every line is moved aside, half as far as the middles of lines twice as long, and a little farther.
+/// A coast: the middle of every line is moved aside, half as far as the middles of lines twice as long, and a little
+/// farther.
 fn coast(seed: u64) -> Vec<Point> {
     let (mut random, mut aside) = (Random::new(seed), 250.0);
     let mut points = vec![Point::zeros(), Point::new(1000.0, 0.0)];

@@ -1,5 +1,5 @@
-//! Few knots: at equal mean square beside recorded numbers of scipy's splprep and NURBS-Python, for a tolerance, and from
-//! noise alone beside the truth.
+//! Few knots: at equal mean square beside recorded numbers of scipy's splprep and NURBS-Python, for a tolerance, and
+//! from noise alone beside the truth.
 #![cfg(not(target_arch = "wasm32"))]
 
 mod support;
@@ -57,8 +57,8 @@ fn errors(fit: &Fit, truth: &[Point]) -> (f64, f64) {
     ((sum / places.len() as f64).sqrt(), most.sqrt())
 }
 
-/// What fits to many noisy versions of a drawing are off it on average: root mean square and largest distance, and the root mean
-/// square of what knots are off its sharp corners.
+/// What fits to many noisy versions of a drawing are off it on average: root mean square and largest distance, and the
+/// root mean square of what knots are off its sharp corners.
 #[derive(Default)]
 struct Off {
     rms: f64,
@@ -135,7 +135,8 @@ fn what_points_say_along_the_curve_is_used_where_they_are_even() {
         assert!(fitted.curve.segment_count() <= 18, "curve {seed}: {}", fitted.curve.segment_count());
         sum += rms;
     }
-    // Distances alone leave 0.25: as many numbers, and half of what the points say. Steps that end before knots have slid leave 0.225.
+    // Distances alone leave 0.25: as many numbers, and half of what the points say. Steps that end before knots have
+    // slid leave 0.225.
     assert!(sum / (cases as f64) < 0.224, "rms to the truth {}", sum / cases as f64);
 }
 

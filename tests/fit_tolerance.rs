@@ -147,7 +147,8 @@ fn searched(fitted: &Fit, points: &[Point]) -> f64 {
     points.iter().map(|p| finder.nearest(*p).distance).fold(0.0, f64::max)
 }
 
-/// As many points as a drawing has are met as near as is asked for, or as numbers can be; and where corners explain them, by those.
+/// As many points as a drawing has are met as near as is asked for, or as numbers can be; and where corners explain
+/// them, by those.
 #[test]
 fn the_left_end_of_a_slider_goes_through_the_points() {
     let size = 360.0;
@@ -167,7 +168,8 @@ fn the_left_end_of_a_slider_goes_through_the_points() {
     }
 }
 
-/// Where no smooth curve with few knots is so near, a polyline is: what is asked for is kept, and by no more pieces than lines take.
+/// Where no smooth curve with few knots is so near, a polyline is: what is asked for is kept, and by no more pieces
+/// than lines take.
 #[test]
 fn a_tolerance_below_the_noise_is_kept_however_many_points_there_are() {
     for (count, smooth) in [(600, false), (1000, true), (1800, false), (2600, true), (9000, true)] {
@@ -224,8 +226,8 @@ fn a_tolerance_is_kept_where_corners_may_not_be_or_not_slight_ones() {
                     for (a, b) in arriving.iter().zip(leaving) {
                         let cross = a.x * b.y - a.y * b.x;
                         let turn = libm::atan2(cross, a.dot(b)).abs();
-                        // Tangents of pieces as short as a tolerance are differences of coordinates near 300: of the rest
-                        // of 1e-6 there are ten digits.
+                        // Tangents of pieces as short as a tolerance are differences of coordinates near 300: of the
+                        // rest of 1e-6 there are ten digits.
                         assert!(turn < 1e-6 || corners && turn > LEAST - 1e-6, "{what}: a corner of {turn}");
                     }
                 }

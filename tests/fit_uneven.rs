@@ -63,7 +63,8 @@ fn a_noisy_circle_is_a_few_cubics_wherever_its_points_lie() {
         }
         assert!(knots <= 8.0, "{knots} knots for {count} points");
         assert!(corners <= 1.5, "{corners} corners for {count} points");
-        // Eight knots are 24 numbers, and each takes a point's share of the noise; a fourth more for where knots are not best.
+        // Eight knots are 24 numbers, and each takes a point's share of the noise; a fourth more for where knots are
+        // not best.
         assert!(square.sqrt() <= 1.25 * (24.0 / count as f64).sqrt(), "rms {} for {count}", square.sqrt());
     }
 }

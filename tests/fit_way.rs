@@ -56,7 +56,8 @@ fn beyond(points: &[Point], ask: Ask) -> f64 {
     assert_eq!(fitted.status, FitStatus::Converged, "{ask:?}");
     let curve = places(&fitted);
     let (start, end) = (curve[0], curve[curve.len() - 1]);
-    // B-splines with ends begin and end at their first and last coefficient, which are about the middle of the points' box.
+    // B-splines with ends begin and end at their first and last coefficient, which are about the middle of the points'
+    // box.
     let (low, high) = points.iter().fold((points[0], points[0]), |(a, b), p| (a.inf(p), b.sup(p)));
     let (coefficients, middle) = (&fitted.parts[0].coefficients, (low + high) / 2.0);
     for (place, coefficient) in [(start, coefficients[0]), (end, coefficients[coefficients.len() - 1])] {
@@ -87,7 +88,8 @@ fn a_curve_through_noise_ends_where_its_points_end() {
             let mut random = Random::new(100 + seed);
             let points: Vec<Point> = drawn.iter().map(|p| p + random.noise() * sigma).collect();
             let off = beyond(&points, Ask::Noise);
-            // Along the curve a last point may be off by its noise and its neighbours', each 3.3 σ in one case of a thousand.
+            // Along the curve a last point may be off by its noise and its neighbours', each 3.3 σ in one case of a
+            // thousand.
             assert!(off <= 2.0 * 3.3 * sigma, "seed {seed}: {off} from the last point, σ = {sigma}");
         }
     }
@@ -137,8 +139,8 @@ fn a_smoothing_holds_the_curve_between_its_points_too() {
 
 #[test]
 fn a_noise_that_explains_nothing_takes_no_curve_out_of_the_drawing() {
-    // From side to side at every point, or points in no order: hardly any lie between two knots, and nothing holds a piece there. Twenty such
-    // pieces were taken out, and what was left swung up to 200 times as far as the points go.
+    // From side to side at every point, or points in no order: hardly any lie between two knots, and nothing holds a
+    // piece there. Twenty such pieces were taken out, and what was left swung up to 200 times as far as the points go.
     for (seed, count, aside, noise, closed) in [
         (1, 400, true, 0.0022, false),
         (2, 200, true, 0.006, false),
@@ -166,8 +168,8 @@ fn a_noise_that_explains_nothing_takes_no_curve_out_of_the_drawing() {
 
 #[test]
 fn a_mean_square_is_kept_without_leaving_the_way_of_the_points() {
-    // Two lists of five were left farther from their points than was asked for, though a curve can lead through them; and some of the curves
-    // swung out of the drawing by up to six times its size.
+    // Two lists of five were left farther from their points than was asked for, though a curve can lead through them;
+    // and some of the curves swung out of the drawing by up to six times its size.
     let mut random = Random::new(7);
     for count in [8, 12, 20, 35, 60, 100] {
         let wave = |i: usize| Point::new(300.0 * i as f64 / count as f64, 100.0 * libm::sin(0.9 * i as f64));
@@ -184,7 +186,8 @@ fn a_mean_square_is_kept_without_leaving_the_way_of_the_points() {
                     points.iter().fold((points[0], points[0]), |(a, b), p| (a.inf(p), b.sup(p)));
                 let beyond = |place: &Point| (low - place).sup(&(place - high)).max();
                 let beyond = places(&found).iter().map(beyond).fold(0.0, f64::max);
-                // Between two points far apart a curve may bend outwards by as much as they are apart, beside the box of waves by half of that.
+                // Between two points far apart a curve may bend outwards by as much as they are apart, beside the box
+                // of waves by half of that.
                 assert!(beyond < room * (high - low).max(), "{what}: {beyond} beyond the box");
             }
         }
@@ -200,7 +203,8 @@ fn a_mean_square_of_zero_is_the_curve_through_the_points() {
         let points: Vec<Point> = (0..count).map(|_| random.vector(100.0)).collect();
         let options = Options { degrees: vec![degree], closed: Some(closed), ..Options::default() };
         let found = fit(&points, Ask::MeanSquare(0.0), &options).expect("it can be fitted");
-        // A pull of 1e-11 between neighbouring coefficients keeps the solution unique, and equations of degree 5 make a thousand times of it.
+        // A pull of 1e-11 between neighbouring coefficients keeps the solution unique, and equations of degree 5 make a
+        // thousand times of it.
         assert!(found.max_error < 1e-8 * 200.0, "{count} points, degree {degree}: {}", found.max_error);
     }
 }

@@ -45,7 +45,8 @@ fn turning(way: &[Point]) -> f64 {
     chords.windows(2).map(|pair| pair[0].perp(&pair[1]).atan2(pair[0].dot(&pair[1])).abs()).sum()
 }
 
-/// How near any speeds at the ends of the healed curve bring it to the old one without a loop: a lattice of speeds, and on from its best.
+/// How near any speeds at the ends of the healed curve bring it to the old one without a loop: a lattice of speeds, and
+/// on from its best.
 fn least_apart(old: &HermiteCurve, healed: &HermiteCurve) -> f64 {
     let way = sampled(old, CHORDS);
     let size: f64 = way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
@@ -136,7 +137,8 @@ fn no_other_speeds_at_its_ends_would_heal_a_gap_much_better() {
         // Where nothing comes near, as around a hairpin, what is nearest is a matter of taste.
         if least < 0.1 {
             healable += 1;
-            // The least sum of eighth powers over 48 places: its largest is at most 48^(1/8) = 1.62 times the least of all.
+            // The least sum of eighth powers over 48 places: its largest is at most 48^(1/8) = 1.62 times the least of
+            // all.
             assert!(deviation <= 1.62 * least, "case {case}: {deviation}, and {least} with other speeds");
         }
     }
@@ -174,8 +176,8 @@ fn a_corner_that_is_removed_stays_nearly_where_it_was() {
 
 #[test]
 fn a_tiny_segment_beside_a_long_one_goes_without_a_trace() {
-    // Of a logo: the end of the long one hardly matters, so steps from the best pair of speeds once grew it into a loop, and
-    // what came instead was twelve times as far away.
+    // Of a logo: the end of the long one hardly matters, so steps from the best pair of speeds once grew it into a
+    // loop, and what came instead was twelve times as far away.
     let tiny = Point::new(0.016, -0.03);
     let old = HermiteCurve::new(HermiteOptions {
         points: vec![Point::new(7.742, 14.76), Point::new(7.758, 14.73), Point::new(17.013, 17.686)],
@@ -187,12 +189,14 @@ fn a_tiny_segment_beside_a_long_one_goes_without_a_trace() {
     })
     .expect("in range");
     let (healed, deviation) = old.remove(1).expect("three points");
-    // The least handle, a thirtieth of 9.75, leads off the old way at an angle of 100°; the curve has turned by about 4/9 of it.
+    // The least handle, a thirtieth of 9.75, leads off the old way at an angle of 100°; the curve has turned by about
+    // 4/9 of it.
     assert!(deviation < 4.0 / 9.0 * 9.75 / 30.0, "{deviation}");
     assert!(turning(&sampled(&healed, 1000)) < 2.0, "no loop");
 }
 
-/// One cubic with a point more, inserted at t and moved to the right by so much, and how far the curve is from that without it.
+/// One cubic with a point more, inserted at t and moved to the right by so much, and how far the curve is from that
+/// without it.
 fn gone_again(ends: [Point; 2], tangents: [Point; 2], t: f64, moved: f64) -> f64 {
     let options = HermiteOptions {
         points: ends.to_vec(),
@@ -209,8 +213,8 @@ fn gone_again(ends: [Point; 2], tangents: [Point; 2], t: f64, moved: f64) -> f64
 
 #[test]
 fn an_inserted_point_goes_without_a_trace_also_beside_a_sharp_bend_and_far_from_the_origin() {
-    // A bend that the chords of two segments show and those of one cut off, so that the old curve itself seemed to turn too much: what came
-    // instead was a thousandth of the way farther.
+    // A bend that the chords of two segments show and those of one cut off, so that the old curve itself seemed to turn
+    // too much: what came instead was a thousandth of the way farther.
     let ends =
         [Point::new(-10.301112818, 0.042129198590161954), Point::new(0.194157092, -0.9161077671418427)];
     let tangents = [
@@ -235,7 +239,8 @@ fn beside_a_point_without_a_handle_a_removal_is_measured_as_what_it_is() {
     }
 }
 
-/// Two segments as an hour of dragging leaves them: handles of any length and direction, one segment far shorter than the other.
+/// Two segments as an hour of dragging leaves them: handles of any length and direction, one segment far shorter than
+/// the other.
 fn dragged(random: &mut Random, space: Space) -> HermiteCurve {
     let points: Vec<Point> = (0..3).map(|_| random.vector(50.0)).collect();
     let lengths: Vec<f64> = (0..2).map(|_| libm::pow(10.0, random.symmetric() - 1.0)).collect();
@@ -259,8 +264,8 @@ fn a_removed_point_takes_no_place_farther_than_a_straight_line_would() {
         assert!(removed.is_ok(), "case {case}: {:?}", removed.err());
         let (_, deviation) = removed.expect("three points");
         let way: f64 = sampled(&old, 4 * CHORDS).windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
-        // Every place is within half of the way of an end; a line with the shortest handles, a tenth of the way for each unit, leaves its chord
-        // by 4/27 of that at each end.
+        // Every place is within half of the way of an end; a line with the shortest handles, a tenth of the way for
+        // each unit, leaves its chord by 4/27 of that at each end.
         let most = (0.5 + 2.0 * 0.1 * 4.0 / 27.0) * way;
         assert!(deviation <= most, "case {case}: {deviation} of a way of {way}");
     }

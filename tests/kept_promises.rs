@@ -1,5 +1,5 @@
-//! Promises about numbers that were broken once: what a removal moves, places by length, lines far from the origin, areas that cancel,
-//! digits that come back.
+//! Promises about numbers that were broken once: what a removal moves, places by length, lines far from the origin,
+//! areas that cancel, digits that come back.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -337,7 +337,8 @@ fn an_arc_is_written_where_its_bezier_points_are_too_far_away_but_it_is_not() {
                 pairs(&points).into_iter().map(|p| to.nearest(p).distance).fold(0.0, f64::max)
             };
             let gap = from(&arc, &other).max(from(&back, &one));
-            // Tolerances of 1e-9 of the extent of all Bézier points at the least; and 1e-12 of 1e9, which is what distances are found to.
+            // Tolerances of 1e-9 of the extent of all Bézier points at the least; and 1e-12 of 1e9, which is what
+            // distances are found to.
             assert!(
                 printed.deviation <= 10.0 && gap <= printed.deviation + 1e-3,
                 "{case}: {gap} {printed:?}"

@@ -1,4 +1,5 @@
-//! Limits that the crate and the package both check are the same numbers: they are written in both, as each checks before it allocates.
+//! Limits that the crate and the package both check are the same numbers: they are written in both, as each checks
+//! before it allocates.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::fs;

@@ -315,7 +315,8 @@ fn a_hair_before_the_start_of_a_closed_curve_is_its_start() {
         for t in [-1e-20, -1e-300, 16.0 - 1e-16, -16.0 - 1e-20] {
             let (start, before) =
                 (curve.curvature(0.0).expect("moving"), curve.curvature(t).expect("moving"));
-            // The same place of the same piece, to the last bit; the piece at the end has another curvature where roots are few.
+            // The same place of the same piece, to the last bit; the piece at the end has another curvature where roots
+            // are few.
             assert_eq!(before, start, "{roots:?} {t}");
         }
     }

@@ -278,7 +278,8 @@ fn polylines_have_hardly_more_points_than_chords_of_equal_error_would() {
 
 #[test]
 fn lengths_scale_with_the_curve_down_to_what_counts_as_nothing() {
-    // Two points in one place with opposite tangents: there and back, with cusps. Once this never came to an end below 1e-85.
+    // Two points in one place with opposite tangents: there and back, with cusps. Once this never came to an end below
+    // 1e-85.
     let made = |space, omega, scale: f64| {
         HermiteCurve::new(HermiteOptions {
             points: vec![Point::zeros(); 2],

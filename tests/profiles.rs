@@ -46,7 +46,8 @@ fn a_circle_is_smooth_everywhere_and_on_its_points() {
     assert!(profile.cusps().is_empty(), "no cusp");
     assert!(breaks(&profile) < 1e-9, "one tangent at every joint: {}", breaks(&profile));
     let metrics = profile.metrics().expect("a curve");
-    // Quadratic pieces of 25 degrees of a radius of 32 are within 0.02; so few that the score is within a tenth of the least.
+    // Quadratic pieces of 25 degrees of a radius of 32 are within 0.02; so few that the score is within a tenth of the
+    // least.
     assert!(metrics.rmse < 0.03 && metrics.mae <= metrics.rmse, "{metrics:?}");
     assert!(metrics.hausdorff < 0.1 && metrics.jaccard > 0.99, "{metrics:?}");
 }

@@ -1,5 +1,5 @@
-//! Nothing in the public interface panics, whatever numbers it is given: what cannot be answered is an error, nothing, or a number
-//! that is none.
+//! Nothing in the public interface panics, whatever numbers it is given: what cannot be answered is an error, nothing,
+//! or a number that is none.
 #![cfg(not(target_arch = "wasm32"))]
 
 mod support;

@@ -1,4 +1,5 @@
-//! Grids of B-spline curves: far from parameter 0, with steps that doubles cannot hold, and at the limits of what may be asked.
+//! Grids of B-spline curves: far from parameter 0, with steps that doubles cannot hold, and at the limits of what may
+//! be asked.
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;

@@ -210,7 +210,8 @@ fn room_is_made_at_the_same_place_however_many_turns_away() {
         let patched = torus.refine_at(u, v, 1, 1.0).expect("within the limits");
         patched.patch_window(0).expect("there is one")
     };
-    // From 2⁵³ on a step of the grid is less than a rounding of the parameter; powers of two are whole turns of 8 there, and of 6 with 3.
+    // From 2⁵³ on a step of the grid is less than a rounding of the parameter; powers of two are whole turns of 8
+    // there, and of 6 with 3.
     for power in [10, 40, 53, 60, 1000] {
         let turns = libm::pow(2.0, f64::from(power));
         assert_eq!(window(turns, 3.0 * turns), window(0.0, 0.0), "2^{power} away");

@@ -110,7 +110,8 @@ fn curvatures_of_sphere_and_torus_are_the_closed_forms() {
     }
 }
 
-/// K and H of the ellipsoid with these half axes at the angles a (round) and b (from the south pole), and the outer normal.
+/// K and H of the ellipsoid with these half axes at the angles a (round) and b (from the south pole), and the outer
+/// normal.
 fn of_ellipsoid(radii: [f64; 3], a: f64, b: f64) -> (f64, f64, Vector3) {
     let [p, q, r] = radii;
     let at = [a.cos() * b.sin(), a.sin() * b.sin(), -b.cos()];
@@ -150,7 +151,8 @@ fn curvatures_and_normals_of_what_is_thin_are_the_closed_forms() {
             for size in [1.0, 1e-6, 1e6] {
                 let radii = radii.map(|radius| size * radius);
                 let off = off_ellipsoid(radii, [8, 4], &places);
-                // A derivative's rounding, 1e-16 of the length, is this part of the thickness; curvatures feel its square.
+                // A derivative's rounding, 1e-16 of the length, is this part of the thickness; curvatures feel its
+                // square.
                 assert!(off[0].max(off[1]) <= CURVATURES, "curvatures of {radii:?}: {off:?}");
                 assert!(off[2] <= NORMALS + 1e-15 / thin, "normals of {radii:?}: {off:?}");
             }
@@ -229,7 +231,8 @@ fn curvatures_at_a_pole_are_the_same_from_all_sides() {
         let off = off_ellipsoid([1.0, 2.0, 3.0], segments, &[0.0, segments[1] as f64]);
         assert!(off[0].max(off[1]) <= CURVATURES_AT_POLES, "{segments:?}: {off:?}");
     }
-    // So many points: their rounding, over the square of the distance between two that are beside each other round the pole.
+    // So many points: their rounding, over the square of the distance between two that are beside each other round the
+    // pole.
     let off = off_ellipsoid([1.0; 3], [1024, 1024], &[0.0, 1024.0]);
     assert!(off[0].max(off[1]) <= 1e-9, "1024 segments: {off:?}");
     let sphere = sphere().refine(3, 2).expect("within the limits");

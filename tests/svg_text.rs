@@ -54,7 +54,8 @@ fn kinks(d: &str) -> Vec<f64> {
     (0..handles.len()).map(kink).collect()
 }
 
-/// Handles of a tenth of a pixel are ten units of the usual grid, which alone would turn them by up to four degrees each.
+/// Handles of a tenth of a pixel are ten units of the usual grid, which alone would turn them by up to four degrees
+/// each.
 #[test]
 fn the_grid_turns_no_smooth_joint_by_three_degrees() {
     let mut random = Random::new(23);

@@ -1,5 +1,5 @@
-//! Curves as people draw them, on whole numbers and with equal handles: what turns does so exactly in the middle of a piece, where
-//! derivatives are 0 to the last bit. Random curves never get there.
+//! Curves as people draw them, on whole numbers and with equal handles: what turns does so exactly in the middle of a
+//! piece, where derivatives are 0 to the last bit. Random curves never get there.
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;

@@ -23,7 +23,8 @@ fn a_disk_is_an_exact_circle_to_a_fiftieth_of_a_pixel() {
     let (most, mean) = along(&contour.curve, &|p| ((p - Point::new(30.3, 32.6)).norm() - 22.7).abs());
     // Sixteen places per axis leave 0.004 of coverage, four cubics of a quarter turn 0.006 of a radius of 22.7.
     assert!(mean < 0.015 && most < 0.03, "mean {mean}, most {most}");
-    // In the pixels that the circle crosses, sixteen places per axis are off by about a sixteenth of a sixteenth of a pixel's diagonal each.
+    // In the pixels that the circle crosses, sixteen places per axis are off by about a sixteenth of a sixteenth of a
+    // pixel's diagonal each.
     assert!(drawing.residual < 0.015, "{}", drawing.residual);
 }
 
@@ -189,8 +190,8 @@ fn a_curve_is_compared_with_its_own_side_of_a_sharp_tip_and_no_corner_turns_by_h
     let drawing = traced(128, 128, &bytes);
     let contour = &drawing.contours[0];
     assert!(contour.metrics.hausdorff < 4.0 && contour.metrics.rmse < 0.3, "{:?}", contour.metrics);
-    // A tip of 17 degrees is half a pixel wide 1.7 pixels before its end: no pixel there is more ink than paper. The contour ends
-    // between sides that are nearer to each other than a pixel.
+    // A tip of 17 degrees is half a pixel wide 1.7 pixels before its end: no pixel there is more ink than paper. The
+    // contour ends between sides that are nearer to each other than a pixel.
     assert!(contour.metrics.hausdorff > 1.7 && contour.metrics.max < 0.5, "{:?}", contour.metrics);
     let gray = Gray::from_bytes(128, 128, &bytes).expect("valid");
     let options = TraceOptions { corner: core::f64::consts::PI, ..TraceOptions::default() };

@@ -31,8 +31,8 @@ fn spilt(drawing: &Trace, bytes: &[u8]) -> f64 {
 #[test]
 fn a_wedge_that_the_border_cuts_off_ends_there_and_is_as_near_to_its_pixels_as_others() {
     let size = (14, 34);
-    // Its lower side is on the border, and its upper one comes to the left border in the last two rows: both meet up to six pixels
-    // beyond the picture.
+    // Its lower side is on the border, and its upper one comes to the left border in the last two rows: both meet up to
+    // six pixels beyond the picture.
     for k in 0..120 {
         let (low, slope) = (32.0 + 0.01 * f64::from(k), 0.35 + 0.0245 * f64::from(k % 40));
         let tip = (-(34.0 - low) / slope, 34.0);

@@ -63,7 +63,8 @@ fn narrow_ends_keep_both_corners_and_a_narrow_tip_is_one() {
 
 #[test]
 fn corners_lie_on_the_curve_also_where_an_arc_ends_in_them() {
-    // Joints move onto an arc that is recognised: by up to a sixteenth of a pixel, and the corners stayed where they had been.
+    // Joints move onto an arc that is recognised: by up to a sixteenth of a pixel, and the corners stayed where they
+    // had been.
     for (radius, cut) in [(5.0, -0.4), (8.0, 0.0), (13.7, -0.4), (20.0, 0.3)] {
         let part = |x: f64, y: f64| {
             (x - 24.0).hypot(y - 24.0) < radius && x - 24.0 + 0.3 * (y - 24.0) > cut * radius
@@ -94,7 +95,8 @@ fn a_corner_too_blunt_for_what_is_asked_is_none() {
 
 #[test]
 fn a_corner_between_an_arc_and_its_chord_is_no_round_of_a_pixel() {
-    // Drawn by 256 samples a pixel, which leave a few thousandths of coverage that a round of a pixel would explain, too.
+    // Drawn by 256 samples a pixel, which leave a few thousandths of coverage that a round of a pixel would explain,
+    // too.
     for (x, y) in [(11.5, 27.57), (11.6, 27.57), (11.9, 27.44), (11.2, 26.53), (11.4, 26.53), (11.7, 26.01)] {
         let ink = |px: f64, py: f64| px > 8.0 && py < 32.0 && (px - x).hypot(py - y) < 9.0;
         let drawing = traced(40, 40, &draw(40, 40, &ink));
@@ -124,7 +126,8 @@ fn a_bar_little_more_than_a_pixel_thick_is_a_bar_wherever_it_lies() {
                 assert_eq!(drawing.contours.len(), 1, "{xs:?} {ys:?}");
                 let curve = &drawing.contours[0].curve;
                 let share = curve.area().expect("closed") / (thick * long);
-                // Where no pixel is all ink the tone of ink is not known: coverage of a half is taken for all, and the bar is up to twice as thick.
+                // Where no pixel is all ink the tone of ink is not known: coverage of a half is taken for all, and the
+                // bar is up to twice as thick.
                 assert!((0.75..1.7).contains(&share), "{share} of {xs:?} {ys:?}");
                 let bounds = curve.bounds();
                 let beyond =

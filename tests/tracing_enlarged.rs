@@ -26,7 +26,8 @@ fn repeated(bytes: &[u8], each: usize, side: usize, times: usize) -> Vec<u8> {
     resized(bytes, each, side, [times, 1], 0)
 }
 
-/// So many pixels in a row and in a column for every `count` of them, each where its middle is nearest; `lead` says how middles are rounded.
+/// So many pixels in a row and in a column for every `count` of them, each where its middle is nearest; `lead` says how
+/// middles are rounded.
 fn resized(bytes: &[u8], each: usize, side: usize, [size, count]: [usize; 2], lead: usize) -> Vec<u8> {
     let wide = side * size / count;
     let nearest = |at: usize| (at * count + lead) / size;
@@ -37,7 +38,8 @@ fn resized(bytes: &[u8], each: usize, side: usize, [size, count]: [usize; 2], le
 /// What pictures on scaled displays, and in browsers that zoom, are enlarged by.
 const FRACTIONS: [[usize; 2]; 8] = [[5, 4], [4, 3], [3, 2], [7, 4], [9, 4], [5, 2], [11, 10], [6, 5]];
 
-/// Contours are those of another picture, so many times as large and moved back. Where that is no power of two, products are rounded.
+/// Contours are those of another picture, so many times as large and moved back. Where that is no power of two,
+/// products are rounded.
 fn assert_enlarged(contours: &[TracedContour], from: &[TracedContour], times: f64, back: [f64; 2]) {
     assert_stretched(contours, from, [times; 2], back);
     for (large, small) in contours.iter().zip(from) {
@@ -103,7 +105,8 @@ fn a_drawing_enlarged_to_any_size_is_traced_as_the_drawing_and_enlarged() {
     let small = traced(SIDE, SIDE, &bytes);
     for wide in [107, 128, 171, 250, 333, 901] {
         let times = wide as f64 / SIDE as f64;
-        // Each pixel where its middle is nearest, or where it begins: then all are half a pixel late, less half a step of the rounding.
+        // Each pixel where its middle is nearest, or where it begins: then all are half a pixel late, less half a step
+        // of the rounding.
         let late = (SIDE - 1) as f64 / (2 * SIDE) as f64;
         for (lead, back) in [(SIDE / 2, 0.0), ((SIDE - 1) / 2, 0.0), (0, -late)] {
             let large = traced(wide, wide, &resized(&bytes, 1, SIDE, [wide, SIDE], lead));
@@ -144,7 +147,8 @@ fn a_part_cut_out_of_a_drawing_enlarged_by_a_fraction_is_traced_where_it_is() {
                 assert_eq!(cut.curve.points().len(), small.curve.points().len(), "as many points");
                 for (p, q) in cut.curve.points().iter().zip(small.curve.points()) {
                     let off = p + Point::new(left as f64, top as f64) - q * times;
-                    // Where middles were rounded to is known to one part in so many of a pixel; tracing itself begins elsewhere.
+                    // Where middles were rounded to is known to one part in so many of a pixel; tracing itself begins
+                    // elsewhere.
                     let most = 1.0 / count as f64 + 1e-6;
                     assert!(off.amax() <= most, "{size}/{count}, {left} columns cut off: {off:?}");
                 }
@@ -187,7 +191,8 @@ fn marks_in_every_fifth_place_are_what_was_drawn() {
 
 #[test]
 fn bands_and_gradients_are_what_was_drawn() {
-    // 128 shades in 171 columns come as the columns of an enlarged picture would, and the two rows that change may be rows of one: two by chance.
+    // 128 shades in 171 columns come as the columns of an enlarged picture would, and the two rows that change may be
+    // rows of one: two by chance.
     let shade = |x: usize| (255 - (x * 128 + 64) / 171) as u8;
     let gradient = |i: usize| if (31..102).contains(&(i / 171)) { shade(i % 171) } else { 255 };
     // Rectangles whose sides lie anywhere, each in a shade of its own.

@@ -1,5 +1,5 @@
-//! Pictures whose edges were not drawn by exact coverage are traced as well as those that were. Browsers and many programs take four rows of
-//! four samples in each pixel, which tell where an edge is to 1/16 of a pixel or so.
+//! Pictures whose edges were not drawn by exact coverage are traced as well as those that were. Browsers and many
+//! programs take four rows of four samples in each pixel, which tell where an edge is to 1/16 of a pixel or so.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -92,8 +92,8 @@ fn small_shapes_drawn_by_four_rows_of_many_samples_have_few_pieces() {
             }
         }
     }
-    // A line and one arc or two. Of exact coverage they have 3.3; where median and quartile of what windows leave had to reach the
-    // same number, these had 3.7.
+    // A line and one arc or two. Of exact coverage they have 3.3; where median and quartile of what windows leave had
+    // to reach the same number, these had 3.7.
     assert!(10 * pieces <= 36 * shapes, "{pieces} pieces of {shapes} shapes");
 }
 

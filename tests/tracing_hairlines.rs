@@ -1,5 +1,5 @@
-//! Outlines about a pixel thick of rings and stars: where they run between two rows of pixels no pixel is more than half ink, and elsewhere one is all
-//! ink. They come back whole and as thick as they are, in ink and in colours.
+//! Outlines about a pixel thick of rings and stars: where they run between two rows of pixels no pixel is more than
+//! half ink, and elsewhere one is all ink. They come back whole and as thick as they are, in ink and in colours.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -50,7 +50,8 @@ fn lines() -> [Line; 2] {
     [("ring", from_ring, TAU * 60.4), ("star", from_star, 2.0 * TIPS as f64 * side)]
 }
 
-/// The area that outlines enclose, holes taken off, as a share of a stroke's. Round ends at tips and notches add less than a hundredth to it.
+/// The area that outlines enclose, holes taken off, as a share of a stroke's. Round ends at tips and notches add less
+/// than a hundredth to it.
 fn share<'a>(contours: impl Iterator<Item = &'a TracedContour>, length: f64, width: f64) -> f64 {
     contours.map(|contour| contour.curve.area().expect("closed")).sum::<f64>() / (length * width)
 }

@@ -115,15 +115,16 @@ fn letters_of_ten_to_sixteen_pixels_keep_their_strokes_and_serifs() {
             }
         }
     }
-    // A twentieth of a pixel on both sides of a stroke of 1.3 pixels is .92. Corners that were not there, held by outlines that begin beside their contours,
-    // left .934 in the mean, and .741 of a k whose foot was cut off.
+    // A twentieth of a pixel on both sides of a stroke of 1.3 pixels is .92. Corners that were not there, held by
+    // outlines that begin beside their contours, left .934 in the mean, and .741 of a k whose foot was cut off.
     assert!(sum / count > 0.945, "{} in the mean", sum / count);
     assert!(least.0 > 0.8, "{least:?}");
 }
 
 #[test]
 fn dense_places_of_small_letters_are_not_taken_for_their_ink() {
-    // Lines of one pixel of black, and one place where they are so dense that nine pixels are gray: two or three places that agree.
+    // Lines of one pixel of black, and one place where they are so dense that nine pixels are gray: two or three places
+    // that agree.
     let mut bytes = vec![255_u8; 40 * 20];
     for column in (2..26).step_by(3) {
         (4..16).for_each(|row| bytes[40 * row + column] = 0);
@@ -156,7 +157,8 @@ fn coverage(trace: &Trace, width: usize, height: usize) -> Vec<f64> {
     (0..width * height).map(pixel).collect()
 }
 
-/// The largest difference between a picture, rows of ink in 255ths inside a margin of four pixels, and what is traced of it; and where that is.
+/// The largest difference between a picture, rows of ink in 255ths inside a margin of four pixels, and what is traced
+/// of it; and where that is.
 fn farthest(rows: &[&[u8]]) -> (f64, [usize; 2]) {
     let (width, height) = (rows[0].len() + 8, rows.len() + 8);
     let mut ink = vec![0_u8; width * height];
@@ -173,8 +175,8 @@ fn farthest(rows: &[&[u8]]) -> (f64, [usize; 2]) {
 
 #[test]
 fn an_outline_on_the_border_of_pixels_does_not_pass_a_notch_by() {
-    // An H as a browser draws it: past the notch between its right serifs, along the border of two columns, there is a way that crosses no pixel which
-    // says that anything is wrong.
+    // An H as a browser draws it: past the notch between its right serifs, along the border of two columns, there is a
+    // way that crosses no pixel which says that anything is wrong.
     let serif = [28, 255, 255, 255, 255, 110, 0, 0, 121, 255, 255, 255, 255, 20];
     let stems = [0, 0, 156, 240, 0, 0, 0, 0, 0, 0, 255, 148, 0, 0];
     let bar = [0, 0, 156, 255, 255, 255, 255, 255, 255, 255, 255, 148, 0, 0];
@@ -187,8 +189,8 @@ fn an_outline_on_the_border_of_pixels_does_not_pass_a_notch_by() {
 
 #[test]
 fn a_stroke_of_one_whole_pixel_is_as_wide_as_it_is_between_gray_ones() {
-    // From a line of text of eleven pixels, as a browser draws it. Contours between gray strokes are moved to where there is some ink, and that of the i
-    // was half as wide as its stroke by that.
+    // From a line of text of eleven pixels, as a browser draws it. Contours between gray strokes are moved to where
+    // there is some ink, and that of the i was half as wide as its stroke by that.
     let rows: [&[u8]; 6] = [
         &[
             208, 150, 10, 0, 192, 236, 187, 149, 0, 245, 8, 0, 76, 192, 196, 179, 39, 0, 64, 196, 164, 188,

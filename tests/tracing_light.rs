@@ -1,4 +1,5 @@
-//! Drawings on paper that was photographed: light falls unevenly on it, and the outlines are those of the drawing in even light.
+//! Drawings on paper that was photographed: light falls unevenly on it, and the outlines are those of the drawing in
+//! even light.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 

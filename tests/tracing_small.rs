@@ -1,4 +1,5 @@
-//! Drawings of which all marks are small, as halftones, hatching and lettering are, are drawings: their edges are no noise.
+//! Drawings of which all marks are small, as halftones, hatching and lettering are, are drawings: their edges are no
+//! noise.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -56,7 +57,8 @@ impl Dots {
     }
 }
 
-/// Where dots lie close together their edges are beside most of the paper: they were taken for noise, of which specks are left out.
+/// Where dots lie close together their edges are beside most of the paper: they were taken for noise, of which specks
+/// are left out.
 #[test]
 fn dots_of_a_halftone_are_found_however_small_and_close() {
     for radius in [0.85, 1.1, 1.4, 2.0, 3.0] {

@@ -1,4 +1,5 @@
-//! Pictures with soft edges, out of focus or drawn smaller and scaled up, are traced as what was drawn, not as what the blur made of it.
+//! Pictures with soft edges, out of focus or drawn smaller and scaled up, are traced as what was drawn, not as what the
+//! blur made of it.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 

@@ -1,5 +1,5 @@
-//! A picture of two shades, its mirror images and what they are turned by quarters have the same drawing, mirrored and turned: what is found does
-//! not depend on which pixel is first, nor on which way round an outline is followed.
+//! A picture of two shades, its mirror images and what they are turned by quarters have the same drawing, mirrored and
+//! turned: what is found does not depend on which pixel is first, nor on which way round an outline is followed.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -58,7 +58,8 @@ fn off(image: &TracedContour, image_of: [f64; 4], own: &TracedContour) -> (f64, 
     (all.iter().sum::<f64>() / all.len() as f64, all.iter().fold(0.0, |most, &off| most.max(off)))
 }
 
-/// Checks that all images of a shape have as many outlines as it and corners in each, nowhere farther from its own than is said.
+/// Checks that all images of a shape have as many outlines as it and corners in each, nowhere farther from its own than
+/// is said.
 fn assert_alike(name: &str, ink: Ink, mean: f64, most: f64) {
     let all = drawings(ink);
     for (drawing, image) in all.iter().zip(IMAGES).skip(1) {
@@ -89,8 +90,9 @@ fn what_is_known_by_all_of_its_pixels_is_the_same_to_a_hundredth_of_a_pixel() {
     assert_alike("a rectangle", &rectangle, 5e-3, 0.01);
 }
 
-/// Pieces are found one after another, so that joints of a smooth outline are elsewhere in an image; but a drawing is .1 pixels from its shape in the
-/// mean, and no farther is it from the other, nor anywhere farther than half a pixel's diagonal.
+/// Pieces are found one after another, so that joints of a smooth outline are elsewhere in an image; but a drawing is
+/// .1 pixels from its shape in the mean, and no farther is it from the other, nor anywhere farther than half a pixel's
+/// diagonal.
 #[test]
 fn what_is_followed_piece_by_piece_is_the_same_as_far_as_pixels_tell() {
     let crescent =

@@ -1,4 +1,5 @@
-//! Strokes of which no pixel is all ink come back as thick as they are: what pixels are covered by, together, is their area.
+//! Strokes of which no pixel is all ink come back as thick as they are: what pixels are covered by, together, is their
+//! area.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -163,7 +164,8 @@ fn gray_strokes_that_show_their_ink_are_as_thick_as_they_are() {
     }
 }
 
-/// Black was taken for the ink of gray strokes that are nearly level, of every second one or third: they came out half as thick.
+/// Black was taken for the ink of gray strokes that are nearly level, of every second one or third: they came out half
+/// as thick.
 #[test]
 fn gray_strokes_that_are_nearly_level_are_as_thick_as_they_are() {
     let mut off = Vec::new();
@@ -226,7 +228,8 @@ fn progress_never_goes_back_while_inks_are_tried() {
     }
 }
 
-/// Half-way from paper to black, where the ink is known from a bold part, strokes below a pixel broke or were not found.
+/// Half-way from paper to black, where the ink is known from a bold part, strokes below a pixel broke or were not
+/// found.
 #[test]
 fn thin_strokes_beside_bold_shapes_are_whole() {
     let mut off = Vec::new();

@@ -1,4 +1,5 @@
-//! Pictures of more than two tones are no drawings of ink: their outlines stay where the brightness crosses the threshold.
+//! Pictures of more than two tones are no drawings of ink: their outlines stay where the brightness crosses the
+//! threshold.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -70,6 +71,7 @@ fn where_discs_of_four_tones_meet_no_thorn_grows() {
     let off = farthest(&shaded(&shade), &|p| {
         discs.iter().map(|(cx, cy, _)| ((p.x - cx).hypot(p.y - cy) - 35.0).abs()).fold(f64::MAX, f64::min)
     });
-    // A threshold between tones that are no ink and no paper lies beside the edge by a third of a pixel; two thirds more is what steps to the next tone take.
+    // A threshold between tones that are no ink and no paper lies beside the edge by a third of a pixel; two thirds
+    // more is what steps to the next tone take.
     assert!(off < 1.1, "{off}");
 }

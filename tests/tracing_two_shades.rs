@@ -1,5 +1,5 @@
-//! Pictures of two shades only say of each pixel whether its centre is inside. What is drawn aslant comes back smooth, as few lines and arcs with sharp
-//! corners between them; what is drawn along rows and columns comes back as it is.
+//! Pictures of two shades only say of each pixel whether its centre is inside. What is drawn aslant comes back smooth,
+//! as few lines and arcs with sharp corners between them; what is drawn along rows and columns comes back as it is.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -51,8 +51,8 @@ fn a_disc_of_two_shades_is_a_circle() {
         let drawing = traced(side, side, &bytes);
         assert_eq!(drawing.contours.len(), 1, "one outline");
         let circle = drawing.contours[0].curve.as_ellipse(1e-6).expect("a circle");
-        // Each of the 4r rows and columns knows an edge to half a pixel: together they know it to .3/√(4r), below .05, three times that with luck
-        // against us.
+        // Each of the 4r rows and columns knows an edge to half a pixel: together they know it to .3/√(4r), below .05,
+        // three times that with luck against us.
         let near = f64::max(0.1, 0.9 / (4.0 * radius).sqrt());
         assert!(
             (circle.radii - Vector::new(radius, radius)).norm() < near,
@@ -165,8 +165,8 @@ fn smooth_shapes_and_squares_share_a_picture_of_two_shades_with_one_of_coverage(
     assert!(drawing.contours.iter().any(|c| is_square(&c.curve)), "the square");
 }
 
-/// Alone, a slanted bar as small as a glyph, less than two pixels wide, is what its pixels are; beside a large disc it is a part of the same drawing. A glyph with
-/// lines of one pixel is never smooth.
+/// Alone, a slanted bar as small as a glyph, less than two pixels wide, is what its pixels are; beside a large disc it
+/// is a part of the same drawing. A glyph with lines of one pixel is never smooth.
 #[test]
 fn what_is_small_is_followed_like_the_large_outlines_around_it() {
     let bar = |x: f64, y: f64| (12.0..24.0).contains(&y) && (x - 14.0 - 0.4 * (y - 12.0)).abs() < 0.85;
@@ -235,8 +235,8 @@ fn flat_colours_with_hard_edges_are_smooth_layers() {
     assert!((area / (core::f64::consts::PI * 42.2 * 42.2) - 1.0).abs() < 0.01, "{area}");
 }
 
-/// Places along a contour and its corners were found in one step, and all steps of all nodes of its outline were one: both took longer than anybody who
-/// stops a trace waits for.
+/// Places along a contour and its corners were found in one step, and all steps of all nodes of its outline were one:
+/// both took longer than anybody who stops a trace waits for.
 #[test]
 fn one_long_outline_of_two_shades_is_followed_and_moved_step_by_step() {
     let gear = |x: f64, y: f64| {

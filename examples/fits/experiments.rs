@@ -53,7 +53,8 @@ pub(crate) struct Turned {
     pub(crate) apart: Matched,
 }
 
-/// Figure 2: the norm of jumps does not depend on the axes, the sum of their coordinates does. λ of the latter is such that the mean squares agree.
+/// Figure 2: the norm of jumps does not depend on the axes, the sum of their coordinates does. λ of the latter is such
+/// that the mean squares agree.
 pub(crate) fn rotation() -> Result<(Vec<Turned>, Shown)> {
     let (_, points) = castle(DEVIATIONS[0])?;
     let mut rows = Vec::new();

@@ -1,4 +1,5 @@
-//! Six estimators of a function from a tube's points. Each is chosen by its own criterion on all points; then every point is left out once.
+//! Six estimators of a function from a tube's points. Each is chosen by its own criterion on all points; then every
+//! point is left out once.
 
 use expline::numerics::Point;
 use expline::trace::{Cloud, End, Estimator, Knots, Method, ProfileOptions, QuasiInterpolant, Rule, choose};
@@ -108,7 +109,8 @@ fn basis(knots: &[f64], x: f64) -> Vec<f64> {
     values
 }
 
-/// Least squares on `interior` even knots: coefficients, and the errors without each point, which for least squares are r/(1 − h).
+/// Least squares on `interior` even knots: coefficients, and the errors without each point, which for least squares are
+/// r/(1 − h).
 fn squares(points: &[Point], length: f64, interior: usize) -> Outcome<(Vec<f64>, Vec<f64>, Vec<f64>)> {
     let knots = Knots::even(0.0, length, interior, 2)?.as_slice().to_vec();
     let rows: Vec<Vec<f64>> = points.iter().map(|p| basis(&knots, p.x)).collect();
@@ -211,7 +213,8 @@ fn piecewise_cubic(points: &[Point], _length: f64) -> Outcome<Followed> {
     Ok(Followed { value: Box::new(monotone(&nodes)), left_out, numbers })
 }
 
-/// The natural cubic spline that minimises squares and λ times the integral of its squared second derivative; λ by generalised cross-validation.
+/// The natural cubic spline that minimises squares and λ times the integral of its squared second derivative; λ by
+/// generalised cross-validation.
 fn smoothing(points: &[Point], _length: f64) -> Outcome<Followed> {
     let nodes = distinct(points);
     let n = nodes.len();

@@ -15,7 +15,9 @@ interface Finding {
   readonly why: string;
 }
 
-/** Interactive elements that are shown and have no name, or a box below 24 × 24; canvases and pictures without a text. */
+/**
+ * Interactive elements that are shown and have no name, or a box below 24 × 24; canvases and pictures without a text.
+ */
 function namesAndTargets(page: Page): Promise<Finding[]> {
   return page.evaluate(() => {
     const findings: { what: string; why: string }[] = [];

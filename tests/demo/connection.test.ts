@@ -2,7 +2,10 @@ import assert from "node:assert/strict";
 import { test, type TestContext } from "node:test";
 import { useBrowser, type Demo } from "./page.ts";
 
-/** A connection that is lost for a moment: what did not come is said, asked for again, and no longer spoken of once it is there. */
+/**
+ * A connection that is lost for a moment: what did not come is said, asked for again, and no longer spoken of once it
+ * is there.
+ */
 
 const { open } = useBrowser();
 

@@ -36,7 +36,10 @@ test("an icon comes out of the page as the areas that it came in as, in both kin
   assert.match(await demo.page.locator(".export-picture path").first().getAttribute("class") ?? "", /export-ink/, "the preview shows what the file does");
 });
 
-/** Of 40 × 40 places all over an icon of 24 units, those with no edge near them: what the stage has there, and whether it should be ink. */
+/**
+ * Of 40 × 40 places all over an icon of 24 units, those with no edge near them: what the stage has there, and whether
+ * it should be ink.
+ */
 async function onStage(demo: Demo, shades: readonly number[]): Promise<{ ink: boolean; color: string }[]> {
   const places = Array.from({ length: 40 * 40 }, (_, i) => ({ column: 3 * (i % 40) + 1, row: 3 * Math.floor(i / 40) + 1 })).filter(({ column, row }) => {
     const near = [-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx) => shades[(row + dy) * 120 + column + dx] ?? 0));

@@ -150,7 +150,8 @@ function readPng(bytes: Buffer): { width: number; height: number; drawn: number 
     if (bytes.toString("latin1", at + 4, at + 8) === "IDAT") data.push(bytes.subarray(at + 8, at + 8 + bytes.readUInt32BE(at)));
   }
   const raw = inflateSync(Buffer.concat(data));
-  // Filtered rows: a row that is all zero after its filter byte repeats or is empty; counting others bounds the drawn ones.
+  // Filtered rows: a row that is all zero after its filter byte repeats or is empty; counting others bounds the drawn
+  // ones.
   let drawn = 0;
   for (let row = 0; row < height; row += 1) for (let i = 1; i <= 4 * width; i += 1) drawn += raw[row * (4 * width + 1) + i] === 0 ? 0 : 1;
   return { width, height, drawn };

@@ -36,7 +36,9 @@ function shades(demo: Demo): Promise<string> {
   });
 }
 
-/** Places are rounded elsewhere, to a hundredth of a pixel: the rim of a line may be so much darker or lighter, of 255. */
+/**
+ * Places are rounded elsewhere, to a hundredth of a pixel: the rim of a line may be so much darker or lighter, of 255.
+ */
 const slightly = 16;
 
 /** How many pixels of two pages differ by more than slightly, of a thousand that are no paper. */

@@ -3,7 +3,10 @@ import { test } from "node:test";
 import { useBrowser, type Demo } from "./page.ts";
 import { cells, cellsOf, opened, saved } from "./pictures.ts";
 
-/** The colours and lines of drawings: what comes out of the page against what the browser makes of the file that went in. */
+/**
+ * The colours and lines of drawings: what comes out of the page against what the browser makes of the file that went
+ * in.
+ */
 
 const { open } = useBrowser();
 
@@ -35,7 +38,10 @@ const lines: readonly (readonly [what: string, inner: string])[] = [
   ["a gradient along a line, and lines that are not there", '<defs><linearGradient id="g"><stop stop-color="#0a0"/><stop offset="1" stop-color="#0a0"/></linearGradient></defs><path d="M4 10l40 4" stroke="url(#g)" stroke-width="8"/><path d="M4 30h40" fill="none" stroke="red" stroke-width="0"/><path d="M4 40h40" stroke="#00f" stroke-width="6" stroke-opacity="1"/><path d="M4 24h40" fill="none" stroke="red" stroke-width="6" opacity="0"/>'],
 ];
 
-/** Opacities have 256 steps in a colour and 1000 in a file, and what shows through is rounded each time it is drawn over. */
+/**
+ * Opacities have 256 steps in a colour and 1000 in a file, and what shows through is rounded each time it is drawn
+ * over.
+ */
 const rounding = 3;
 
 const apart = (a: readonly number[], b: readonly number[]): number => {

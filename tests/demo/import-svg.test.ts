@@ -4,7 +4,9 @@ import { build } from "esbuild";
 import type { Browser, Page } from "playwright-core";
 import { launch } from "../../scripts/browser.mjs";
 
-/** Where an SVG's shapes are and which are shown: what the page's reader says against the pixels that the browser draws. */
+/**
+ * Where an SVG's shapes are and which are shown: what the page's reader says against the pixels that the browser draws.
+ */
 
 type Box = [left: number, top: number, right: number, bottom: number];
 

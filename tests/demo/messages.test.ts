@@ -56,7 +56,10 @@ test("a message covers no menu", async (t) => {
   assert.deepEqual(covered, []);
 });
 
-/** What a screen reader has to read out from now on: all that changes in live regions; of one that is not atomic, what is added. */
+/**
+ * What a screen reader has to read out from now on: all that changes in live regions; of one that is not atomic, what
+ * is added.
+ */
 async function listen(demo: Demo): Promise<() => Promise<string[]>> {
   await demo.page.evaluate(() => {
     const said: string[] = [];

@@ -4,7 +4,10 @@ import type { Browser, BrowserContext, BrowserContextOptions, CDPSession, Page }
 import { launch } from "../../scripts/browser.mjs";
 import type { ExplineDemo } from "../../www/src/contract.ts";
 
-/** The demo in a real browser, driven as a person would: by pointer and keys, and looked at through `window.explineDemo`. */
+/**
+ * The demo in a real browser, driven as a person would: by pointer and keys, and looked at through
+ * `window.explineDemo`.
+ */
 
 declare global {
   interface Window {
@@ -50,7 +53,9 @@ export function useBrowser(): {
 /** `DEMO_SLOWNESS=4` runs the pages on a quarter of the processor: what depends on a fast machine shows. */
 const slowness = Number(process.env["DEMO_SLOWNESS"] ?? 1);
 
-/** `DEMO_LATENESS=400` hands out every part of the page so many milliseconds later: what does not wait for a part shows. */
+/**
+ * `DEMO_LATENESS=400` hands out every part of the page so many milliseconds later: what does not wait for a part shows.
+ */
 const lateness = Number(process.env["DEMO_LATENESS"] ?? 0);
 
 async function slowDown(context: BrowserContext, page: Page): Promise<void> {

@@ -5,7 +5,9 @@ import { join } from "node:path";
 import { test, type TestContext } from "node:test";
 import { assertSame, directedDistance, useBrowser, type Demo } from "./page.ts";
 
-/** What was saved is opened again as anybody would: by the page's own file field, in a page that knows nothing of it. */
+/**
+ * What was saved is opened again as anybody would: by the page's own file field, in a page that knows nothing of it.
+ */
 
 const { open } = useBrowser();
 

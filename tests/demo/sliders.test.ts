@@ -4,7 +4,10 @@ import { useBrowser, type Demo } from "./page.ts";
 
 const { open } = useBrowser();
 
-/** What the drag of a slider must leave as it was when it is taken back: the slider, the drawing, and what Undo would do. */
+/**
+ * What the drag of a slider must leave as it was when it is taken back: the slider, the drawing, and what Undo would
+ * do.
+ */
 async function standing(demo: Demo, id: string): Promise<{ readonly value: string } & Readonly<Record<string, unknown>>> {
   const undo = demo.byId("btn-undo");
   const { curve, fit, trace, surface } = (await demo.state()) as unknown as Record<string, object>;

@@ -11,7 +11,9 @@ function percentile(values: readonly number[], part: number): number {
 
 const MOVES = 120;
 
-/** Times are printed beside the budget and not asserted: a busy neighbour says nothing about the page. Work is asserted. */
+/**
+ * Times are printed beside the budget and not asserted: a busy neighbour says nothing about the page. Work is asserted.
+ */
 test("V28 dragging in 64 points with the comb on paints at most once in a frame and ends under the pointer", async (t) => {
   const demo = await open(t, "#/curve?sample=net-64");
   await demo.withoutSnap();

@@ -35,7 +35,10 @@ async function picture(demo: Demo): Promise<Buffer> {
   return demo.byId("stage").screenshot();
 }
 
-/** The shares of the stage that are not paper, and that have the warm colour of an inside, of what the page itself has drawn. */
+/**
+ * The shares of the stage that are not paper, and that have the warm colour of an inside, of what the page itself has
+ * drawn.
+ */
 async function shares(demo: Demo): Promise<{ ink: number; inside: number }> {
   const shot = await picture(demo);
   return demo.page.evaluate(async (data) => {

@@ -65,7 +65,8 @@ test("a picture that was moved with its paper is what would be drawn, and of the
   assert.ok(drawn < 5 * 1200 / 4, `${drawn} cubics in five steps`);
   const moved = await demo.pixels();
   await demo.page.mouse.move(from.x + 40, from.y - 24);
-  // Places are single floats to a canvas: where a path stands elsewhere, a shade of its edge differs here and there. A picture a pixel off has ten thousand.
+  // Places are single floats to a canvas: where a path stands elsewhere, a shade of its edge differs here and there. A
+  // picture a pixel off has ten thousand.
   assert.ok((await demo.changedPixels(moved, await drawnAnew(demo))) < 100);
 });
 

@@ -1,4 +1,5 @@
-// Affine maps of everything that has points, through the front door: the image of every place, and what a matrix may not be.
+// Affine maps of everything that has points, through the front door: the image of every place, and what a matrix may
+// not be.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,4 +1,5 @@
-// Whatever is handed to whichever function: it works, or an ExplineError says which argument is wrong, and nothing has changed.
+// Whatever is handed to whichever function: it works, or an ExplineError says which argument is wrong, and nothing has
+// changed.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

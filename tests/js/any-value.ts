@@ -81,8 +81,8 @@ function complaint(error: unknown): string | undefined {
 const named = (value: unknown): string => (isTree(value) ? Object.prototype.toString.call(value) : typeof value === "symbol" ? "a symbol" : String(value));
 
 /**
- * Puts every strange value into every place of a call, one at a time: it works, or says clearly what is wrong and changes nothing.
- * Gives back how many calls that were.
+ * Puts every strange value into every place of a call, one at a time: it works, or says clearly what is wrong and
+ * changes nothing. Gives back how many calls that were.
  */
 export async function tryEverything({ name, run, values, make = () => undefined }: Valid): Promise<number> {
   await run.apply(make(), copy(values) as never[]);

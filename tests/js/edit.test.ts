@@ -213,7 +213,8 @@ test("of all pulls that take the curve there, the tangents change least", () => 
   bendCurve(curve, t, 20, 22);
   const [leaving, arriving] = tangentWeights(before, t);
   const change = [0, 1].map((axis) => [(curve.tangents[axis] ?? 0) - (before.tangents[axis] ?? 0), (curve.tangentsIn[2 + axis] ?? 0) - (before.tangentsIn[2 + axis] ?? 0)] as const);
-  // The least change is along the weights: any other that moves the place as far adds something at right angles to them.
+  // The least change is along the weights: any other that moves the place as far adds something at right angles to
+  // them.
   for (const [out, into] of change) assert.ok(Math.abs(out * arriving - into * leaving) <= EXACT, `${out}, ${into}`);
 });
 

@@ -1,5 +1,5 @@
-// What `remove` promises, on real logos: no other handles bring the segment that heals the gap much nearer to the old shape. The
-// others are tried here, as cubics of the test's own.
+// What `remove` promises, on real logos: no other handles bring the segment that heals the gap much nearer to the old
+// shape. The others are tried here, as cubics of the test's own.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -13,9 +13,15 @@ type Point = readonly [number, number];
 const STRIDE = 27;
 /** Places at which shapes are compared, and chords of the one they are compared with. */
 const [PLACES, CHORDS] = [40, 160];
-/** Handles below a thirtieth of the length are as good as none, and shapes that turn by so much more than the old one make a loop. */
+/**
+ * Handles below a thirtieth of the length are as good as none, and shapes that turn by so much more than the old one
+ * make a loop.
+ */
 const [LEAST_HANDLE, LOOP] = [1 / 30, 0.9];
-/** Eighth powers of 48 distances are made small, not the largest of them, which is so many times the least at most; hairpins apart. */
+/**
+ * Eighth powers of 48 distances are made small, not the largest of them, which is so many times the least at most;
+ * hairpins apart.
+ */
 const AT_MOST = 48 ** (1 / 8);
 /** Of a drawing of 24 units: where both are this near, a ratio says nothing. */
 const NOTHING = 1e-4;
@@ -89,7 +95,10 @@ function least(old: readonly Point[], shape: (a: number, b: number) => Point[], 
   return best;
 }
 
-/** The two segments around point `i`, as points; how far they are from the segment that heals them; and how far it could be. */
+/**
+ * The two segments around point `i`, as points; how far they are from the segment that heals them; and how far it could
+ * be.
+ */
 function compared(curve: HermiteCurve, i: number): [healed: number, least: number] | null {
   const { curve: healed } = curve.remove(i);
   const lengths = curve.lengths;

@@ -1,4 +1,5 @@
-// Curves keep what they are made of to themselves. What the README says to send to a worker, and to compare in a test, is all of it.
+// Curves keep what they are made of to themselves. What the README says to send to a worker, and to compare in a test,
+// is all of it.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -44,7 +45,10 @@ test("what toJSON gives tells curves apart, and is the same for the same curve",
   }
 });
 
-/** As stores show their state: plain objects and arrays through proxies, or frozen; instances of classes and typed arrays as they are. */
+/**
+ * As stores show their state: plain objects and arrays through proxies, or frozen; instances of classes and typed
+ * arrays as they are.
+ */
 function shownBy<T>(store: <O extends object>(plain: O) => O, value: T): T {
   if (typeof value !== "object" || value === null) return value;
   const plain = Array.isArray(value) || Object.getPrototypeOf(value) === Object.prototype;

@@ -1,4 +1,5 @@
-// A curve run backwards, through the front door: every place from the other end, and nothing shared with the curve that it was made of.
+// A curve run backwards, through the front door: every place from the other end, and nothing shared with the curve that
+// it was made of.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -77,7 +77,10 @@ function speedOf(piece: Piece): number {
   return steps.length * Math.max(...steps);
 }
 
-/** The distance from a point to a piece, or `enough` where it is less and `most` where it is more: no valley is missed, because none is deeper than the speed lets it be. */
+/**
+ * The distance from a point to a piece, or `enough` where it is less and `most` where it is more: no valley is missed,
+ * because none is deeper than the speed lets it be.
+ */
 function surelyToPiece([px, py]: Point, piece: Piece, enough: number, most: number): number {
   const speed = speedOf(piece);
   const apart = (x: number): number => {
@@ -103,7 +106,10 @@ interface Nearest {
   piece: Piece;
 }
 
-/** A piece of a contour that is near enough, sought around `guess` first, or else the nearest of all; `first` pieces are looked at in any case. */
+/**
+ * A piece of a contour that is near enough, sought around `guess` first, or else the nearest of all; `first` pieces are
+ * looked at in any case.
+ */
 function nearestOn(contour: Contour, p: Point, guess: number, enough: number, first = 0): Nearest {
   const { pieces } = contour;
   const count = pieces.length;

@@ -1,5 +1,5 @@
-// Interpolating and B-spline curves through the JavaScript interface: the reference's values at every level, measures against dense
-// samples, plain data, and what hostile callers get.
+// Interpolating and B-spline curves through the JavaScript interface: the reference's values at every level, measures
+// against dense samples, plain data, and what hostile callers get.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

@@ -51,7 +51,8 @@ test("four megapixels of a noisy drawing take at most six bytes of the engine's 
   const each = bytesOfEngines() / (side * side);
   t.diagnostic(`${each.toFixed(2)} bytes a pixel`);
   assert.equal(contours.length, 64);
-  // Noise of 20 in each of 600 pixels around an edge: its mean is known to .003 of a pixel, and an area to .01 with what follows it.
+  // Noise of 20 in each of 600 pixels around an edge: its mean is known to .003 of a pixel, and an area to .01 with
+  // what follows it.
   for (const { curve } of contours) assert.ok(Math.abs(curve.area() / (Math.PI * 96 ** 2) - 1) < 1e-3, `${curve.area()}`);
   assert.ok(each <= 6, `${each}`);
 });
@@ -70,7 +71,10 @@ test("24 megapixels of drawing take at most six bytes of the engine's memory a p
   assert.ok(each <= 6, `${each}`);
 });
 
-/** Rings in one another, dark and light, so many pixels wide each; edges of exact coverage, but for what bends inside a pixel. */
+/**
+ * Rings in one another, dark and light, so many pixels wide each; edges of exact coverage, but for what bends inside a
+ * pixel.
+ */
 function rings(side: number, width: number, spiral: number): ImageLike {
   const data = new Uint8ClampedArray(side * side);
   const half = side / 2;

@@ -1,4 +1,5 @@
-// A wasm module that is the package's own, but for one function that stops the instance: no such door is in the package.
+// A wasm module that is the package's own, but for one function that stops the instance: no such door is in the
+// package.
 
 import { readFileSync } from "node:fs";
 

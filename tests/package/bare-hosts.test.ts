@@ -1,4 +1,5 @@
-// Hosts that have JavaScript and WebAssembly and little else: jsdom, as test runners make it, knows neither TextEncoder nor MessageChannel.
+// Hosts that have JavaScript and WebAssembly and little else: jsdom, as test runners make it, knows neither TextEncoder
+// nor MessageChannel.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";

@@ -1,4 +1,5 @@
-// What the command line reads and writes over: pipes that are not ready, disks that are full, files that are their own result.
+// What the command line reads and writes over: pipes that are not ready, disks that are full, files that are their own
+// result.
 
 import assert from "node:assert/strict";
 import { execFileSync, spawn, spawnSync } from "node:child_process";

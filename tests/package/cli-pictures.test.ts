@@ -1,4 +1,5 @@
-// Pictures that the command line reads: every kind is what other programs see in it, and what cannot be read is said in one line.
+// Pictures that the command line reads: every kind is what other programs see in it, and what cannot be read is said in
+// one line.
 
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -50,7 +51,10 @@ function covered(x: number, y: number, radius = 10): number {
 
 const PALETTE = Array.from({ length: 256 }, (_, i) => [i, (i * 3) & 255, 255 - i] as const);
 
-/** The samples of a pixel of a kind, and what is to be seen there. Of 16 bits the lower ones round to another eight than they leave when cut off. */
+/**
+ * The samples of a pixel of a kind, and what is to be seen there. Of 16 bits the lower ones round to another eight than
+ * they leave when cut off.
+ */
 function pixel({ type, depth }: Pick<Kind, "type" | "depth">, x: number, y: number): { readonly samples: number[]; readonly color: Color } {
   const most = 2 ** depth - 1;
   const levels = [covered(x, y), covered(y, x), covered(x + 5, y), 255 - (covered(x, y - 4) >> 1)].map((level) => Math.round((level * Math.min(most, 255)) / 255));
@@ -174,7 +178,8 @@ test("colours that four pixels of a JPEG share are smooth between them: an edge 
   const points = contours.filter(({ layer }) => layer === 1).flatMap(({ curve }) => curve.points);
   const far = points.flatMap((x, i) => (i % 2 === 0 ? [Math.abs(Math.hypot(x - 22.3, (points[i + 1] ?? 0) - 19.6) - 13.4)] : []));
   assert.ok(far.length > 0);
-  // A sample is two pixels wide, and its weight is known to some hundredths; samples that are repeated give stairs of up to 1.1.
+  // A sample is two pixels wide, and its weight is known to some hundredths; samples that are repeated give stairs of
+  // up to 1.1.
   assert.ok(Math.max(...far) <= 0.35, `${Math.max(...far)} pixels away`);
 });
 

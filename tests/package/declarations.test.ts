@@ -73,7 +73,10 @@ test("every example runs, and prints what it says", async () => {
   }
 });
 
-/** What TypeScript 5.0 cannot read: typed arrays that say what they lie on came with 5.7, the part of the library for `using` with 5.2. */
+/**
+ * What TypeScript 5.0 cannot read: typed arrays that say what they lie on came with 5.7, the part of the library for
+ * `using` with 5.2.
+ */
 function tooNew(file: ts.SourceFile): string[] {
   const found = file.libReferenceDirectives.map(({ fileName }) => `lib ${fileName}`);
   const visit = (node: ts.Node): void => {

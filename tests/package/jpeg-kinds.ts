@@ -2,7 +2,10 @@
 
 const bytes = (...lines: readonly string[]): Uint8Array => Uint8Array.from(Buffer.from(lines.join(""), "base64"));
 
-/** A disc of #cc0000 around (22.3, 19.6) with radius 13.4 on #006800, which is as bright: 48 by 40 pixels, four of which share a colour. */
+/**
+ * A disc of #cc0000 around (22.3, 19.6) with radius 13.4 on #006800, which is as bright: 48 by 40 pixels, four of which
+ * share a colour.
+ */
 export const SHARED_COLORS = bytes(
   "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAMCAgICAgMCAgIDAwMDBAYEBAQEBAgGBgUGCQgKCgkICQkKDA8MCgsOCwkJDRENDg8QEBEQCgwSExIQEw8QEBD/2wBDAQMDAwQDBAgEBAgQ",
   "CwkLEBAQEBAQEBAQEBAQEBAQEBAQEBAQEBAQEBAQEBAQEBAQEBAQEBAQEBAQEBAQEBAQEBD/wAARCAAoADADASIAAhEBAxEB/8QAFQABAQAAAAAAAAAAAAAAAAAAAAj/xAAUEAEAAAAA",

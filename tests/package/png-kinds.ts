@@ -1,4 +1,5 @@
-// PNG files of every kind: rows of samples as the format keeps them, interlaced or not, and whatever else is put beside them.
+// PNG files of every kind: rows of samples as the format keeps them, interlaced or not, and whatever else is put beside
+// them.
 
 import { crc32, deflateSync } from "node:zlib";
 
@@ -33,7 +34,10 @@ export const header = (width: number, height: number, depth: number, type: numbe
 /** A file of these chunks. */
 export const fileOf = (...chunks: readonly Uint8Array[]): Uint8Array => Buffer.concat([Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), ...chunks, chunk("IEND", [])]);
 
-/** Which of the seven parts of an interlaced picture each pixel of a block of 8 by 8 belongs to: the table of the standard. */
+/**
+ * Which of the seven parts of an interlaced picture each pixel of a block of 8 by 8 belongs to: the table of the
+ * standard.
+ */
 const PARTS = ["16462646", "77777777", "56565656", "77777777", "36463646", "77777777", "56565656", "77777777"];
 
 /** A file of pixels; its rows use all five filters in turn. */

@@ -58,8 +58,8 @@ pub(crate) fn disc(x: f64, y: f64, cx: f64, cy: f64, r: f64) -> bool {
     (x - cx).hypot(y - cy) < r
 }
 
-/// What a pixel takes of each of the pixels beside it, in 64, where a picture was scaled softly, and where it was scaled so that edges stay
-/// sharp, and are seen beside them, too.
+/// What a pixel takes of each of the pixels beside it, in 64, where a picture was scaled softly, and where it was
+/// scaled so that edges stay sharp, and are seen beside them, too.
 pub(crate) const SOFT: i32 = 16;
 pub(crate) const SHARP: i32 = -8;
 

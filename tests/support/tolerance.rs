@@ -12,7 +12,8 @@ pub(crate) const SMALL_DRAWING: f64 = 1.2e-14;
 /// 1.1e-16 in that formula and as many in the curve. The worst seen is 6.8e-15.
 pub(crate) const ARC: f64 = 1e-14;
 
-/// Distances to a nearest point, relative to the size of curve and place: the finder stops at 1e-13 of the curve's size.
+/// Distances to a nearest point, relative to the size of curve and place: the finder stops at 1e-13 of the curve's
+/// size.
 pub(crate) const NEAREST: f64 = 4e-13;
 
 /// Lengths, relative: sums of up to 24 speeds per segment, each a few roundings.
@@ -51,27 +52,28 @@ pub(crate) const RIESZ: f64 = 1e-12;
 /// the reading, the oracle's centres of arcs, the evaluation and the search.
 pub(crate) const DRAWN: f64 = 1e-13;
 
-/// Exponential B-splines and their derivatives, relative to the largest: sums of at most 34 Taylor terms at each of up to four
-/// knots. The worst seen is 1.5e-14, for the roots 0, 0, ±5.
+/// Exponential B-splines and their derivatives, relative to the largest: sums of at most 34 Taylor terms at each of up
+/// to four knots. The worst seen is 1.5e-14, for the roots 0, 0, ±5.
 pub(crate) const B_SPLINES: f64 = 2e-14;
 
-/// Weights λ of interpolators, relative to the largest: plain elimination. The worst seen is 3.9e-14, for eight roots to ±2.5i.
+/// Weights λ of interpolators, relative to the largest: plain elimination. The worst seen is 3.9e-14, for eight roots
+/// to ±2.5i.
 pub(crate) const LAMBDA: f64 = 1e-13;
 
 /// Interpolators and their derivatives, relative to the largest and to 1 + 2Σ|λ|, which is what cancels in them: the
 /// B-spline's own accuracy. The worst seen is 4.9e-15, for the roots 0, 0, ±5.
 pub(crate) const INTERPOLATORS: f64 = 1e-14;
 
-/// Points and derivatives of surfaces, relative to ten times the largest number of the net: sums of some fifty products, each
-/// of two weights that know their last digits but one; the largest weights are 1.3.
+/// Points and derivatives of surfaces, relative to ten times the largest number of the net: sums of some fifty
+/// products, each of two weights that know their last digits but one; the largest weights are 1.3.
 pub(crate) const SURFACES: f64 = 2e-13;
 
-/// Sums over all points of a net or a curve, relative to the sizes of what is added up: weights that know their last digits but one, for
-/// roots some of which nearly coincide.
+/// Sums over all points of a net or a curve, relative to the sizes of what is added up: weights that know their last
+/// digits but one, for roots some of which nearly coincide.
 pub(crate) const SUMS: f64 = 2e-13;
 
-/// Points of exact surfaces off them, relative to their size: sixteen products of weights of 1.3 at most. The worst seen is
-/// 3e-15, on the smallest sphere, whose weights are the largest.
+/// Points of exact surfaces off them, relative to their size: sixteen products of weights of 1.3 at most. The worst
+/// seen is 3e-15, on the smallest sphere, whose weights are the largest.
 pub(crate) const EXACT: f64 = 1e-14;
 
 /// What is on both sides of a seam, relative to the size: the last place of a parameter, times a derivative.
@@ -92,8 +94,8 @@ pub(crate) const CURVATURES_AT_POLES: f64 = 1e-12;
 /// Curvatures beside poles, relative: rounding over the square of the distance, 2⁻¹¹, where a cubic's error takes over.
 pub(crate) const CURVATURES_BESIDE_POLES: f64 = 3e-8;
 
-/// The same where curvatures change in less than that, as beside the pole on a coin's edge: the worst seen is 1.5e-3, where rounding is as
-/// large as what the cubic does not see.
+/// The same where curvatures change in less than that, as beside the pole on a coin's edge: the worst seen is 1.5e-3,
+/// where rounding is as large as what the cubic does not see.
 pub(crate) const CURVATURES_OF_COINS: f64 = 3e-3;
 
 /// Refined surfaces, relative to their size.
