@@ -7,7 +7,10 @@ import { StepError, at, run } from "./steps.mjs";
 
 /** No source file is longer than this. */
 const LONGEST = 600;
-const SOURCE = /\.(rs|ts|mjs|css)$/;
+/** No comment is wider, unless it holds an address: what formats code leaves comments as they are. */
+const WIDEST = 120;
+const COMMENT = /^\s*(\/\/|\/\*|\*)(?!.*https?:)/;
+const SOURCE = /\.(rs|ts|mjs|mts|css)$/;
 /** What is run in a fresh clone, where no package is installed yet. */
 const DOORS = ["start", "test", "build", "bench", "bench-trace"].map((name) => `scripts/${name}.mjs`);
 
@@ -69,7 +72,7 @@ function leftOut(documents) {
 
 /**
  * A fresh clone can start, documents lead where they say and list what they have, versions agree, lock files name no
- * host besides crates.io's index, sources stay readable in length.
+ * host besides crates.io's index, sources stay readable in length and comments in width.
  */
 export async function checkTree() {
   const files = (await run("git", ["ls-files"])).split("\n").filter((file) => existsSync(at(file)));
@@ -82,8 +85,11 @@ export async function checkTree() {
   const sources = new Set(readFileSync(at("Cargo.lock"), "utf8").match(/^source = .*$/gm));
   if (sources.size > 1) problems.push(`Cargo.lock has ${sources.size} sources`);
   for (const file of files.filter((each) => SOURCE.test(each))) {
-    const lines = readFileSync(at(file), "utf8").split("\n").length;
-    if (lines > LONGEST) problems.push(`${file} has ${lines} lines; the most is ${LONGEST}`);
+    const lines = readFileSync(at(file), "utf8").split("\n");
+    if (lines.length > LONGEST) problems.push(`${file} has ${lines.length} lines; the most is ${LONGEST}`);
+    for (const [i, line] of lines.entries()) {
+      if (line.length > WIDEST && COMMENT.test(line)) problems.push(`${file}:${i + 1} is a comment of ${line.length} columns; the most is ${WIDEST}`);
+    }
   }
   if (problems.length > 0) throw new StepError(problems[0], problems.join("\n"));
 }

@@ -16,8 +16,8 @@ const parts = {
 };
 
 /**
- * What the page and most of what it loads later have in common is one file: as a dozen small ones it would compress worse, by 3 kB of
- * the 80 that a first visit may take.
+ * What the page and most of what it loads later have in common is one file: as a dozen small ones it would compress
+ * worse, by 3 kB of the 80 that a first visit may take.
  */
 const common = /\/www\/src\/(?:document\/(?:document|problem|unit|curve\/(?:contours|offset|roots|commands))|kernel\/(?:unit|curve\/(?:curve-cache|samples)|paths\/paths)|editor\/pointer\/camera|panels\/controls\/dom)\.ts$/u;
 
