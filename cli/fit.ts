@@ -22,7 +22,7 @@ const FLAGS: Readonly<Record<string, Flag>> = {
   help: { short: "h", about: "this text" },
 };
 
-export const FIT_HELP = `Usage: expline fit POINTS [options]
+const FIT_HELP = `Usage: expline fit POINTS [options]
 
 POINTS is a file with rows of x and y, or - for standard input. An empty row begins another contour.
 Without --tolerance, --smoothing or --lambda the noise of the points is estimated and taken out.

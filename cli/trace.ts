@@ -27,7 +27,7 @@ const FLAGS: Readonly<Record<string, Flag>> = {
   help: { short: "h", about: "this text" },
 };
 
-export const TRACE_HELP = `Usage: expline trace PICTURE... [options]
+const TRACE_HELP = `Usage: expline trace PICTURE... [options]
 
 PICTURE is a PNG or JPEG file, or - for standard input.
 

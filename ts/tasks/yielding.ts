@@ -11,7 +11,7 @@ interface Host {
  *
  * `scheduler.yield` would come back before other messages, and so before the one that asks a worker to stop.
  */
-export function nextTurn(): Promise<void> {
+function nextTurn(): Promise<void> {
   const { setImmediate } = globalThis as Host;
   if (setImmediate !== undefined) return new Promise((resolve) => void setImmediate(resolve));
   // jsdom has neither; its timers wait no longer than they are asked to.
