@@ -32,7 +32,7 @@ export interface Painter {
 }
 
 /** Device pixels per CSS pixel, within what a canvas can hold. */
-export function canvasRatio(width: number, height: number, deviceRatio: number): number {
+function canvasRatio(width: number, height: number, deviceRatio: number): number {
   const wanted = Math.min(mostRatio, Math.max(1, deviceRatio));
   const area = Math.max(1, width * height);
   return Math.min(wanted, Math.sqrt(mostPixels / area));

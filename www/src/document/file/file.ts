@@ -23,7 +23,7 @@ import { checkJson } from "./scan.ts";
 export { FileError, type FileErrorCode } from "./error.ts";
 export { writeState } from "./write.ts";
 
-export const fileVersion = stateVersion;
+const fileVersion = stateVersion;
 
 const limits = { maxBytes: 64 * 1024 * 1024, maxDepth: 64, maxPoints: 100_000, maxContours: 100_000 };
 

@@ -19,7 +19,7 @@ export interface FitSample {
 const center: Pair = [400, 300];
 
 /** Numbers from 0 to 1 that look random and are always the same. */
-export function randomFrom(seed: number): () => number {
+function randomFrom(seed: number): () => number {
   let state = (seed + 1) * 0x9e3779b9;
   return () => {
     state = (state + 0x6d2b79f5) | 0;
@@ -55,7 +55,7 @@ export function samplePoints({ truth }: FitSample, noise: number, seed: number):
 const rounded = (value: number): number => Math.round(value * 1000) / 1000 + 0;
 
 /** Points evenly along a closed polygon. */
-export function alongPolygon(corners: readonly Pair[], count: number): Pair[] {
+function alongPolygon(corners: readonly Pair[], count: number): Pair[] {
   const sides = corners.map((corner, i) => {
     const next = corners[(i + 1) % corners.length] ?? corner;
     return { corner, dx: next[0] - corner[0], dy: next[1] - corner[1], length: Math.hypot(next[0] - corner[0], next[1] - corner[1]) };
@@ -72,7 +72,7 @@ export function alongPolygon(corners: readonly Pair[], count: number): Pair[] {
 }
 
 /** The corners of a star, first tip up. */
-export function starCorners([x, y]: Pair, tips: number, outer: number, inner: number): Pair[] {
+function starCorners([x, y]: Pair, tips: number, outer: number, inner: number): Pair[] {
   return Array.from({ length: 2 * tips }, (_, i) => {
     const angle = (Math.PI * i) / tips - Math.PI / 2;
     const radius = i % 2 === 0 ? outer : inner;

@@ -38,7 +38,7 @@ function limitsFor(box: Box | null): readonly [least: number, most: number] {
 }
 
 /** Within the limits of what is drawn; what is seen already, by whatever way, stays in reach. */
-export function clampZoom(zoom: number, from: View, box: Box | null): number {
+function clampZoom(zoom: number, from: View, box: Box | null): number {
   const [least, most] = limitsFor(box);
   return Math.min(Math.max(most, from.zoom), Math.max(Math.min(least, from.zoom), zoom));
 }

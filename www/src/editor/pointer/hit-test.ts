@@ -23,7 +23,7 @@ export function hasSide(curve: CurveDocument, ref: PointRef, side: Side): boolea
 /**
  * The points whose handles show: the chosen ones and their neighbours; all of a small drawing while nothing is chosen.
  */
-export function pointsWithHandles(curve: CurveDocument, selection: Selection, most = 4): PointRef[] {
+function pointsWithHandles(curve: CurveDocument, selection: Selection, most = 4): PointRef[] {
   const total = curve.contours.reduce((sum, contour) => sum + contour.points.length, 0);
   if (selection.points.length === 0) {
     if (total > most) return [];

@@ -24,7 +24,7 @@ export function add(a: Vector, b: Vector, scale = 1): Vector {
   return [a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]];
 }
 
-export function subtract(a: Vector, b: Vector): Vector {
+function subtract(a: Vector, b: Vector): Vector {
   return add(a, b, -1);
 }
 

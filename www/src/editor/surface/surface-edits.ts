@@ -10,9 +10,9 @@ import { startOrbit, type DragAxis, type SolidState } from "./solid.ts";
 
 /** The edits of the surface that its tool, keys and panel share. */
 
-export const mostSurfaceLevel = 3;
-export const leastNet = 3;
-export const mostNet = 32;
+const mostSurfaceLevel = 3;
+const leastNet = 3;
+const mostNet = 32;
 
 export function patchSolid(editor: Editor, change: Partial<SolidState>): void {
   editor.patch({ solid: { ...editor.state.value.solid, ...change } });
@@ -84,7 +84,7 @@ export function moved(start: SurfaceMoment, points: readonly NetRef[], step: Vec
 }
 
 /** A change that the library refuses leaves everything as it was, and says so. */
-export function tryChange(editor: Editor, name: string, change: (now: SurfaceMoment) => SurfaceMoment, run?: string): void {
+function tryChange(editor: Editor, name: string, change: (now: SurfaceMoment) => SurfaceMoment, run?: string): void {
   try {
     editor.surfaceEdits.dispatch(name, change, run);
   } catch (error) {

@@ -8,7 +8,7 @@ import type { TraceRun } from "./trace-state.ts";
 
 /** Puts what the tracer answers into the state. */
 
-export function setTraceRun(editor: Editor, change: Partial<TraceRun>): void {
+function setTraceRun(editor: Editor, change: Partial<TraceRun>): void {
   editor.patch({ traceRun: { ...editor.state.value.traceRun, ...change } });
 }
 

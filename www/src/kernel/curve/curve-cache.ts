@@ -40,7 +40,7 @@ export function hermiteOf(document: CurveDocument, contour: Contour): HermiteCur
 }
 
 /** A drawn handle is a third of the tangent vector times the parameter length of its segment. */
-export function tangentOf(handle: Offset, length: number): [number, number] {
+function tangentOf(handle: Offset, length: number): [number, number] {
   return [(3 * handle.dx) / length, (3 * handle.dy) / length];
 }
 

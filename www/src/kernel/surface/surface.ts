@@ -70,7 +70,7 @@ export function documentOf(sample: string, surface: TensorSurface): SurfaceDocum
 type Axis = TensorSurface["u"];
 
 /** The library writes real roots as numbers. */
-export function plainRoots(roots: Axis["roots"]): Root[] {
+function plainRoots(roots: Axis["roots"]): Root[] {
   return roots.map((root) => (typeof root === "number" ? { re: root + 0, im: 0 } : { re: root.re + 0, im: root.im + 0 }));
 }
 

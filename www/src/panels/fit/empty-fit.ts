@@ -7,7 +7,7 @@ import { mountEmptyStage, sampleCards } from "../mode/empty-stage.ts";
 import type { Shell } from "../shell.ts";
 
 /** The sample's points as they are opened. */
-export function fitThumbnail(sample: FitSample): SVGSVGElement {
+function fitThumbnail(sample: FitSample): SVGSVGElement {
   const drawn = samplePoints(sample, sample.settings.noise, sample.settings.seed);
   const box = boxOf(drawn.data) ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
   const scale = Math.max((box.maxX - box.minX) / 3, (box.maxY - box.minY) / 2) * 1.2;

@@ -8,7 +8,7 @@ import type { Palette } from "../palette.ts";
 
 const halo = 1.5;
 
-export function colorOf(type: KnotType, palette: Palette): string {
+function colorOf(type: KnotType, palette: Palette): string {
   return type === "linear" ? palette.linear : type === "cubic" ? palette.cubic : palette.coinc;
 }
 

@@ -8,7 +8,7 @@ import { createProxy, mostProxies, paintOn, showProxy, stopAt, type Proxy } from
 
 /** A named button for every control point of the surface, at its place: the stage stays one stop of Tab. */
 
-export function proxyId({ u, v, detail }: NetRef): string {
+function proxyId({ u, v, detail }: NetRef): string {
   return detail === undefined ? `cp-${u}-${v}` : `cd-${detail}-${u}-${v}`;
 }
 
