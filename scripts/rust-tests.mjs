@@ -15,7 +15,7 @@ const RUNNER = ["test-runner"];
 const PATIENCE = 300_000;
 
 /** How many tests an output of cargo's or wasm-bindgen's runner speaks of. */
-export function countCargo(output) {
+function countCargo(output) {
   let passed = 0;
   let failed = 0;
   for (const [, p, f] of output.matchAll(/test result: \w+\. (\d+) passed; (\d+) failed/g)) {
@@ -26,7 +26,7 @@ export function countCargo(output) {
 }
 
 /** The part of an output that says what failed. */
-export function failuresOf(output) {
+function failuresOf(output) {
   const start = output.search(/^failures:$|^error(\[|:)|panicked at/m);
   return (start < 0 ? output : output.slice(start)).slice(0, 12_000);
 }

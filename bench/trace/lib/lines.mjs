@@ -52,7 +52,7 @@ const mean = (values) => values.reduce((sum, v) => sum + v, 0) / values.length;
 const within = (values) => values.filter((v) => v <= 1).length / values.length;
 
 /** Everything measured of one drawing; undefined where there is no line. */
-export function scoreLines(shape, size, svg) {
+function scoreLines(shape, size, svg) {
   const { lines, segments } = readStroked(svg, size);
   if (lines.length === 0) return undefined;
   const goal = shape.lines.flatMap(dense);
