@@ -51,64 +51,68 @@ impl Fitter {
     /// points that repeat their neighbour are one. A tolerance, and the noise, make do with what [`Fitter::new`] takes.
     pub fn ask(&mut self, ask: Ask) -> Result<()> {
         match &ask {
-            Ask::Lambda(lambdas) => {
-                if lambdas.len() != self.options.degrees.len() {
-                    let (got, needed) = (lambdas.len(), self.options.degrees.len());
-                    return Err(Error::wrong_length("lambda", got, needed));
-                }
-                for (i, &lambda) in lambdas.iter().enumerate() {
-                    check("lambda", Some(i), lambda, 0.0, 1e12)?;
-                }
-                if lambdas.len() == 2 && lambdas.iter().sum::<f64>() <= 0.0 {
-                    return Err(Error::out_of_range("lambda", Some(0), 0.0, f64::MIN_POSITIVE, 1e12));
-                }
-                self.locate(Purpose::Papers, &ask)?;
-                self.lambdas.clone_from(lambdas);
-                self.solve()?;
-            }
-            Ask::Smoothing(smoothing) => {
-                check("smoothing", None, *smoothing, 0.0, 1.0)?;
-                self.locate(Purpose::Optimum, &ask)?;
-                self.lambdas = self.lambdas_of(*smoothing);
-                self.solve()?;
-            }
-            Ask::Tolerance(tolerance) => {
-                check("tolerance", None, *tolerance, 0.0, LARGEST_COORDINATE)?;
-                // Points without noise are off nowhere: a side that is longer than twice the tolerance is one.
-                let off = if self.is_untold() { DRAWN * tolerance } else { *tolerance };
-                self.locate(Purpose::Search(Some(off / self.samples.scale)), &ask)?;
-                // Nearer than coordinates are told apart nothing can be.
-                let place = self.samples.center.amax() / self.samples.scale;
-                let least = f64::EPSILON * (ROUNDINGS + place);
-                let left = tolerance - report::rounding(&self.samples);
-                self.search(Aim::Tolerance((left / self.samples.scale).max(least)), self.options.corners)?;
-            }
-            Ask::MeanSquare(square) => {
-                check("meanSquare", None, *square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;
-                self.locate(Purpose::Papers, &ask)?;
-                let unit = self.samples.scale * self.samples.scale;
-                self.search(
-                    Aim::Squares(square * report::weight(&self.located) / unit),
-                    self.options.corners,
-                )?;
-            }
-            Ask::Noise => {
-                // Where nothing tells about the noise, the curve goes through the points.
-                let untold = self.is_untold();
-                // An open list that goes up and down is noisy rather than drawn so.
-                let drawn = untold || self.samples.closed;
-                let sides = Purpose::Search(drawn.then_some(WIDEST * self.noise));
-                let purpose = if self.is_clicked() { Purpose::Clicks } else { sides };
-                self.locate(purpose, &ask)?;
-                let noise = self.level.max(self.least_noise());
-                self.search(
-                    if untold { Aim::Tolerance(noise) } else { Aim::Noise(noise) },
-                    self.options.corners,
-                )?;
-            }
-        }
+            Ask::Lambda(lambdas) => self.ask_lambdas(lambdas, &ask),
+            Ask::Smoothing(smoothing) => self.ask_smoothing(*smoothing, &ask),
+            Ask::Tolerance(tolerance) => self.ask_tolerance(*tolerance, &ask),
+            Ask::MeanSquare(square) => self.ask_mean_square(*square, &ask),
+            Ask::Noise => self.ask_noise(&ask),
+        }?;
         (self.ask, self.rounds) = (ask, 0);
         Ok(())
+    }
+
+    fn ask_lambdas(&mut self, lambdas: &[f64], ask: &Ask) -> Result<()> {
+        if lambdas.len() != self.options.degrees.len() {
+            return Err(Error::wrong_length("lambda", lambdas.len(), self.options.degrees.len()));
+        }
+        for (i, &lambda) in lambdas.iter().enumerate() {
+            check("lambda", Some(i), lambda, 0.0, 1e12)?;
+        }
+        if lambdas.len() == 2 && lambdas.iter().sum::<f64>() <= 0.0 {
+            return Err(Error::out_of_range("lambda", Some(0), 0.0, f64::MIN_POSITIVE, 1e12));
+        }
+        self.locate(Purpose::Papers, ask)?;
+        self.lambdas = lambdas.to_vec();
+        self.solve()
+    }
+
+    fn ask_smoothing(&mut self, smoothing: f64, ask: &Ask) -> Result<()> {
+        check("smoothing", None, smoothing, 0.0, 1.0)?;
+        self.locate(Purpose::Optimum, ask)?;
+        self.lambdas = self.lambdas_of(smoothing);
+        self.solve()
+    }
+
+    fn ask_tolerance(&mut self, tolerance: f64, ask: &Ask) -> Result<()> {
+        check("tolerance", None, tolerance, 0.0, LARGEST_COORDINATE)?;
+        // Points without noise are off nowhere: a side that is longer than twice the tolerance is one.
+        let off = if self.is_untold() { DRAWN * tolerance } else { tolerance };
+        self.locate(Purpose::Search(Some(off / self.samples.scale)), ask)?;
+        // Nearer than coordinates are told apart nothing can be.
+        let place = self.samples.center.amax() / self.samples.scale;
+        let least = f64::EPSILON * (ROUNDINGS + place);
+        let left = tolerance - report::rounding(&self.samples);
+        self.search(Aim::Tolerance((left / self.samples.scale).max(least)), self.options.corners)
+    }
+
+    fn ask_mean_square(&mut self, square: f64, ask: &Ask) -> Result<()> {
+        check("meanSquare", None, square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;
+        self.locate(Purpose::Papers, ask)?;
+        let unit = self.samples.scale * self.samples.scale;
+        self.search(Aim::Squares(square * report::weight(&self.located) / unit), self.options.corners)
+    }
+
+    fn ask_noise(&mut self, ask: &Ask) -> Result<()> {
+        // Where nothing tells about the noise, the curve goes through the points.
+        let untold = self.is_untold();
+        // An open list that goes up and down is noisy rather than drawn so.
+        let drawn = untold || self.samples.closed;
+        let sides = Purpose::Search(drawn.then_some(WIDEST * self.noise));
+        let purpose = if self.is_clicked() { Purpose::Clicks } else { sides };
+        self.locate(purpose, ask)?;
+        let noise = self.level.max(self.least_noise());
+        let aim = if untold { Aim::Tolerance(noise) } else { Aim::Noise(noise) };
+        self.search(aim, self.options.corners)
     }
 
     /// Whether nothing tells about the noise: points are few, or drawn.
