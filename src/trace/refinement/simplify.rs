@@ -15,6 +15,12 @@ use crate::trace::samples::{turn, unit};
 /// than this any piece may.
 const STUB: f64 = 0.25;
 const LONG: f64 = 16.0;
+/// A joint that is not smooth may go where the outline turns there by no more, in radians; between two lines it has to
+/// turn by less for them to be one.
+const CORNER: f64 = 0.2;
+const ONE_LINE: f64 = 0.1;
+/// One piece does not take the place of two that turn by more together, in radians.
+const MOST_TURNING: f64 = 2.6;
 /// Rounds of merging.
 const MOST_ROUNDS: usize = 12;
 /// Joints that are looked at in one step.
@@ -185,6 +191,29 @@ fn folded(outline: &Outline, i: usize) -> bool {
     dot(cubic.velocity(0.5), cubic.end - cubic.start) < 0.0
 }
 
+/// How much two pieces turn together, from tangents at their ends and in their middles.
+fn turning(first: &Cubic, second: &Cubic) -> f64 {
+    turn(unit(first.velocity(0.0)), unit(first.velocity(0.5))).abs()
+        + turn(unit(first.velocity(0.5)), unit(second.velocity(0.5))).abs()
+        + turn(unit(second.velocity(0.5)), unit(second.velocity(1.0))).abs()
+}
+
+/// Whether joint i is between a side and a shorter bend: what is mostly straight stays so, unless the rest is a stub or
+/// leads to a corner.
+fn ends_a_side(outline: &Outline, i: usize, limits: &Limits) -> bool {
+    let before = outline.before(i);
+    let (first, second) = (outline.cubic(before), outline.cubic(i));
+    let lengths = [norm(first.end - first.start), norm(second.end - second.start)];
+    let side = usize::from(outline.is_line(i));
+    if outline.is_line(before) == outline.is_line(i) || lengths[side] <= lengths[1 - side].max(LONG) {
+        return false;
+    }
+    let (bend, far) = if side == 1 { (&first, before) } else { (&second, outline.next(i)) };
+    let middle = bend.velocity(0.5);
+    let turned = turn(bend.velocity(0.0), middle).abs() + turn(middle, bend.velocity(1.0)).abs();
+    turned > STUB && outline.nodes[far].smooth && (limits.noise == 0.0 || limits.grain > 0.0)
+}
+
 /// The piece in place of the two at joint i, and how far it is from them.
 fn candidate(outline: &Outline, i: usize, limits: &Limits) -> Option<(Piece, f64)> {
     let node = outline.nodes[i];
@@ -196,13 +225,10 @@ fn candidate(outline: &Outline, i: usize, limits: &Limits) -> Option<(Piece, f64
     }
     let (first, second) = (outline.cubic(before), outline.cubic(i));
     let bend = turn(first.velocity(1.0), second.velocity(0.0)).abs();
-    if !node.smooth && bend > 0.2 {
+    if !node.smooth && bend > CORNER {
         return None;
     }
-    let whole = turn(unit(first.velocity(0.0)), unit(first.velocity(0.5))).abs()
-        + turn(unit(first.velocity(0.5)), unit(second.velocity(0.5))).abs()
-        + turn(unit(second.velocity(0.5)), unit(second.velocity(1.0))).abs();
-    if whole > 2.6 && !stunted {
+    if turning(&first, &second) > MOST_TURNING && !stunted {
         return None;
     }
     let mut places = [node.point; 32];
@@ -213,20 +239,12 @@ fn candidate(outline: &Outline, i: usize, limits: &Limits) -> Option<(Piece, f64
     let tangent = |at: usize, line: bool, direction| {
         if outline.nodes[at].smooth && !line { Tangent::Along(unit(direction)) } else { Tangent::Free }
     };
-    let lengths = [norm(first.end - first.start), norm(second.end - second.start)];
-    let long = usize::from(outline.is_line(i));
-    if outline.is_line(before) != outline.is_line(i) && lengths[long] > lengths[1 - long].max(LONG) {
-        // What is mostly straight stays so, unless the rest is a stub or leads to a corner.
-        let (stub, far) = if long == 1 { (&first, before) } else { (&second, outline.next(i)) };
-        let middle = stub.velocity(0.5);
-        let bends = turn(stub.velocity(0.0), middle).abs() + turn(middle, stub.velocity(1.0)).abs();
-        if bends > STUB && outline.nodes[far].smooth && (limits.noise == 0.0 || limits.grain > 0.0) {
-            return None;
-        }
+    if ends_a_side(outline, i, limits) {
+        return None;
     }
     if outline.is_line(before) && outline.is_line(i) {
         let fitted = Cubic::fit(first.start, second.end, &places, [Tangent::Free; 2]);
-        return (bend < 0.1).then_some((Piece::Line, fitted.rms));
+        return (bend < ONE_LINE).then_some((Piece::Line, fitted.rms));
     }
     let tangents = [
         tangent(before, outline.is_line(before), first.velocity(0.0)),
