@@ -50,19 +50,27 @@ function drawEdges(scene: Scene, surface: SurfaceDocument, points: readonly Plac
       const nextV = base && surface.v?.closed === true ? (v + 1) % cols : v + 1;
       for (const other of [net.get(`${nextU},${v}`), net.get(`${u},${nextV}`), ...spokes(surface, net, entry)]) {
         if (other === undefined || other.at.depth <= 0 || entry.at.depth <= 0) continue;
-        const faint = (entry.away && other.away) || entry.point.beyond === true || other.point.beyond === true;
-        const path = faint ? far : near;
-        path.moveTo(entry.at.x, entry.at.y);
-        path.lineTo(other.at.x, other.at.y);
+        const isFaint = (entry.away && other.away) || entry.point.beyond === true || other.point.beyond === true;
+        addLine(isFaint ? far : near, entry.at, other.at);
       }
     }
   }
-  context.strokeStyle = scene.palette.point;
+  strokeBoth(context, scene.palette.point, [far, 0.16], [near, 0.7]);
+}
+
+function addLine(path: Path2D, from: Projected, to: Projected): void {
+  path.moveTo(from.x, from.y);
+  path.lineTo(to.x, to.y);
+}
+
+/** Lines of one colour, faint ones below. */
+function strokeBoth(context: CanvasRenderingContext2D, color: string, ...paths: readonly (readonly [path: Path2D, alpha: number])[]): void {
+  context.strokeStyle = color;
   context.lineWidth = 1;
-  context.globalAlpha = 0.16;
-  context.stroke(far);
-  context.globalAlpha = 0.7;
-  context.stroke(near);
+  for (const [path, alpha] of paths) {
+    context.globalAlpha = alpha;
+    context.stroke(path);
+  }
   context.globalAlpha = 1;
 }
 
@@ -169,9 +177,7 @@ export function drawWireframe(scene: Scene): void {
   const edge = (a: number, b: number): void => {
     const [from, to] = [places[a], places[b]];
     if (from === undefined || to === undefined) return;
-    const path = from.away && to.away ? far : near;
-    path.moveTo(from.at.x, from.at.y);
-    path.lineTo(to.at.x, to.at.y);
+    addLine(from.away && to.away ? far : near, from.at, to.at);
   };
   const [everyRow, everyCol] = [stride(mesh.rows, mesh.size[0]), stride(mesh.cols, mesh.size[1])];
   for (let i = 0; i < mesh.rows; i += 1) {
@@ -180,13 +186,7 @@ export function drawWireframe(scene: Scene): void {
       if (j % everyCol === 0 && i + 1 < mesh.rows) edge(i * mesh.cols + j, (i + 1) * mesh.cols + j);
     }
   }
-  context.strokeStyle = palette.curve;
-  context.lineWidth = 1;
-  context.globalAlpha = 0.2;
-  context.stroke(far);
-  context.globalAlpha = 0.8;
-  context.stroke(near);
-  context.globalAlpha = 1;
+  strokeBoth(context, palette.curve, [far, 0.2], [near, 0.8]);
 }
 
 function stride(count: number, length: number): number {
