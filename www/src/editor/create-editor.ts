@@ -2,7 +2,7 @@ import type { Command } from "../document/curve/commands.ts";
 import type { Mode, View } from "../document/document.ts";
 import type { Moment } from "../document/history.ts";
 import { createActions } from "./actions/actions.ts";
-import { checked, surviving } from "./curve/checked.ts";
+import { outcomeOf } from "./curve/checked.ts";
 import type { Editor, EditorState, Notice } from "./editor.ts";
 import { createSaving } from "./history/saving.ts";
 import type { Timeline } from "./history/timeline.ts";
@@ -23,16 +23,10 @@ export function createEditor(now: () => number): Editor {
 
   /** The command's result on a moment, or null when the engine refuses it or nothing changes. */
   function applied(command: Command, from: Moment): Moment | null {
-    const wanted = command.apply(from.curve);
-    if (wanted === from.curve) return null;
-    const { curve, problem } = checked(wanted, from.curve);
-    if (problem !== null) {
+    return outcomeOf(command, from, ({ message }) => {
       // A step of a drag that goes too far is dropped silently: the drag is held at the last good place.
-      if (!curveEdits.inGesture) notices.set({ kind: "error", id: "number", text: `${command.name} was refused: ${problem.message}` });
-      return null;
-    }
-    const select = command.select ?? from.selection;
-    return { curve, selection: surviving(curve, typeof select === "function" ? select(curve) : select) };
+      if (!curveEdits.inGesture) notices.set({ kind: "error", id: "number", text: `${command.name} was refused: ${message}` });
+    });
   }
 
   function travel(way: "undo" | "redo", done: string): void {

@@ -1,6 +1,8 @@
+import type { Command } from "../../document/curve/commands.ts";
 import { translationOf } from "../../document/curve/contours.ts";
 import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, type Contour, type CurveDocument, type Selection } from "../../document/document.ts";
+import type { Moment } from "../../document/history.ts";
 import { curveOf } from "../../kernel/curve/curve-cache.ts";
 import { settled } from "../../kernel/curve/settling.ts";
 
@@ -41,9 +43,22 @@ export function objection(curve: CurveDocument, before: CurveDocument): Error | 
 }
 
 /** The document with its refined places settled, and what the engine says against it. */
-export function checked(curve: CurveDocument, before: CurveDocument): { curve: CurveDocument; problem: Error | null } {
+function checked(curve: CurveDocument, before: CurveDocument): { curve: CurveDocument; problem: Error | null } {
   const problem = objection(curve, before);
   if (problem !== null) return { curve, problem };
   const next = settled(before, curve);
   return { curve: next, problem: next === curve ? null : objection(next, curve) };
+}
+
+/** What a command makes of a moment; null where nothing changes, or the engine refuses it, as `refuse` is told. */
+export function outcomeOf(command: Command, from: Moment, refuse: (problem: Error) => void): Moment | null {
+  const wanted = command.apply(from.curve);
+  if (wanted === from.curve) return null;
+  const { curve, problem } = checked(wanted, from.curve);
+  if (problem !== null) {
+    refuse(problem);
+    return null;
+  }
+  const select = command.select ?? from.selection;
+  return { curve, selection: surviving(curve, typeof select === "function" ? select(curve) : select) };
 }
