@@ -28,7 +28,7 @@ fn asks() -> [Ask; 5] {
 fn finite(fit: &Fit) -> bool {
     let (start, end) = fit.curve.domain();
     let count = 200;
-    let places = (0..=count).map(|i| start + (end - start) * f64::from(i) / f64::from(count));
+    let places = (0..=count).map(|i| (start + (end - start) * f64::from(i) / f64::from(count)).min(end));
     places.into_iter().all(|t| fit.curve.evaluate(t, 0).is_ok_and(|p| p.x.is_finite() && p.y.is_finite()))
         && fit.max_error.is_finite()
         && fit.qfe.is_finite()

@@ -201,6 +201,12 @@ fn rough(kind: usize, count: usize) -> Vec<Point> {
     (0..count).map(place).collect()
 }
 
+/// The angles by which the curve turns at its points.
+fn turns(fitted: &Fit) -> impl Iterator<Item = f64> {
+    let (leaving, arriving) = (fitted.curve.tangents(), fitted.curve.tangents_in());
+    arriving.iter().zip(leaving).map(|(a, b)| libm::atan2(a.x * b.y - a.y * b.x, a.dot(b)).abs())
+}
+
 #[test]
 fn a_tolerance_is_kept_where_corners_may_not_be_or_not_slight_ones() {
     const LEAST: f64 = 0.5;
@@ -222,14 +228,10 @@ fn a_tolerance_is_kept_where_corners_may_not_be_or_not_slight_ones() {
                     assert_eq!(fitted.status, FitStatus::Converged, "{what}: {}", fitted.max_error);
                     let far = searched(&fitted, &points);
                     assert!(far <= tolerance && fitted.max_error <= tolerance, "{what}: {far}");
-                    let (leaving, arriving) = (fitted.curve.tangents(), fitted.curve.tangents_in());
-                    for (a, b) in arriving.iter().zip(leaving) {
-                        let cross = a.x * b.y - a.y * b.x;
-                        let turn = libm::atan2(cross, a.dot(b)).abs();
-                        // Tangents of pieces as short as a tolerance are differences of coordinates near 300: of the
-                        // rest of 1e-6 there are ten digits.
-                        assert!(turn < 1e-6 || corners && turn > LEAST - 1e-6, "{what}: a corner of {turn}");
-                    }
+                    // Tangents of pieces as short as a tolerance are differences of coordinates near 300: of the rest of 1e-6
+                    // there are ten digits.
+                    let turned = |turn: &f64| *turn < 1e-6 || corners && *turn > LEAST - 1e-6;
+                    assert!(turns(&fitted).all(|turn| turned(&turn)), "{what}: a slight corner");
                 }
             }
         }
@@ -260,5 +262,49 @@ fn corners_of_degree_two_are_rounded_off_by_no_more_knots_than_rounds_take() {
         assert_eq!(fitted.status, FitStatus::Converged, "within {tolerance}");
         // A round at every point has two ends.
         assert!(fitted.knots.len() <= 800, "within {tolerance}: {} knots", fitted.knots.len());
+    }
+}
+
+/// Points at even angles of a spiral: by length those of its inner turns are many times closer than the others.
+fn spiral(count: usize, seed: u64) -> Vec<Point> {
+    let mut random = Random::new(seed);
+    let turned = TURN * random.unit();
+    let place = |i: usize| {
+        let a = 40.0 * i as f64 / count as f64;
+        Point::new(libm::cos(a + turned), libm::sin(a + turned)) * (5.0 * a)
+    };
+    let places: Vec<Point> = (0..count).map(place).collect();
+    random.noisy(&places, 0.3)
+}
+
+#[test]
+fn narrow_turns_get_their_knots_where_points_are_close() {
+    // Where a knot needed as much of the way as points are apart on average no tolerance was kept, and the answer had 60 to 110
+    // pieces: all but a polyline. Six turns take about three pieces each.
+    for (count, tolerance) in [(100, 3.0), (120, 1.5), (120, 2.0), (150, 1.5), (150, 5.0), (200, 1.5)] {
+        for seed in 1..=3 {
+            let options = Options { closed: Some(false), ..Options::default() };
+            let fitted = fit(&spiral(count, seed), Ask::Tolerance(tolerance), &options).expect("fitted");
+            assert_eq!(fitted.status, FitStatus::Converged);
+            assert!(fitted.max_error <= tolerance, "{} within {tolerance}", fitted.max_error);
+            let pieces = fitted.knots.len() + 1;
+            assert!(pieces <= 26, "{count} points within {tolerance}: {pieces} pieces");
+        }
+    }
+}
+
+#[test]
+fn a_smooth_curve_has_few_pieces_where_a_search_misses_its_tolerance() {
+    // A polyline with its vertices rounded off was the answer then, of 175 to 280 pieces.
+    for (count, tolerance) in [(100, 1.0), (100, 2.0), (120, 3.0), (150, 1.4), (200, 1.0)] {
+        for seed in 1..=3 {
+            let options = Options { closed: Some(false), corners: false, ..Options::default() };
+            let fitted = fit(&spiral(count, seed), Ask::Tolerance(tolerance), &options).expect("fitted");
+            assert_eq!(fitted.status, FitStatus::Converged);
+            assert!(fitted.max_error <= tolerance, "{} within {tolerance}", fitted.max_error);
+            assert!(turns(&fitted).all(|turn| turn < 1e-6), "no corner was asked for");
+            let pieces = fitted.knots.len() + 1;
+            assert!(pieces <= 40, "{count} points within {tolerance}: {pieces} pieces");
+        }
     }
 }

@@ -12,7 +12,7 @@ use super::convex::problem::Problem;
 use super::convex::solution::Status;
 use super::interior::solver::Solver;
 use super::knots::free_knots::Located;
-use super::knots::sparsest::{Aim, Sparsest};
+use super::knots::sparsest::{Aim, Resorted, Sparsest};
 use super::noise::levels;
 use super::options::{Ask, Finish, Options};
 use super::outcome::Fit;
@@ -285,8 +285,15 @@ fn go_on(searches: &mut Vec<Sparsest>, rounds: &mut usize) -> Result<bool> {
         }
         None => {}
     }
-    if done && searches.iter().all(|search| search.missed().is_some()) {
-        done = searches[0].resort_to_polyline()?;
+    if done && searches.iter().all(|search| search.lacking().is_some()) {
+        done = match searches[0].resort_to_polyline()? {
+            Resorted::Underway => false,
+            Resorted::Over => true,
+            Resorted::Begun(search) => {
+                searches.push(*search);
+                false
+            }
+        };
     }
     if BY_SQUARES
         && done

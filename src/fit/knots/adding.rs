@@ -43,7 +43,9 @@ pub(super) fn denser(fitted: &FreeKnots, data: &Located, square: f64) -> Option<
 pub(super) fn closer(spline: &Spline, data: &Located, tolerance: f64) -> Option<Breaks> {
     let mut breaks = spline.space.breaks.clone();
     let mut worst = vec![(tolerance, f64::NAN); spline.space.spans.len()];
+    let mut counts = vec![0_usize; spline.space.spans.len()];
     for (point, (s, t)) in data.points.iter().zip(spline.space.places(&data.parameters)) {
+        counts[s] += 1;
         let distance = (spline.on(s, t, 0) - point).norm();
         if distance > worst[s].0 {
             worst[s] = (distance, t);
@@ -51,9 +53,11 @@ pub(super) fn closer(spline: &Spline, data: &Located, tolerance: f64) -> Option<
     }
     let mut added = Vec::new();
     let mut sharper = Vec::new();
-    let step = breaks.end / data.points.len() as f64;
+    let mean = breaks.end / data.points.len() as f64;
     for (s, (_, t)) in worst.iter().enumerate().filter(|(_, (_, t))| t.is_finite()) {
         let span = &spline.space.spans[s];
+        // By length points of a narrow bend may be far closer than they are on average.
+        let step = mean.min(2.0 * span.half / counts[s].saturating_sub(1).max(1) as f64);
         // Neither two knots between two points nor two on one.
         let margin = 0.75 * step;
         if 2.0 * span.half > 3.0 * step {

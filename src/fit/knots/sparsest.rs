@@ -7,15 +7,17 @@ mod growing;
 mod joints;
 mod last_knots;
 mod polishing;
+mod resort;
 mod rounding;
 mod runs;
 mod spacing;
 mod straightening;
 mod view;
 
-use self::beginning::Resort;
 use self::evening::Evening;
 use self::last_knots::Fewer;
+use self::resort::Resort;
+pub(in crate::fit) use self::resort::Resorted;
 use self::view::View;
 use super::breaks::Breaks;
 use super::free_knots::{FreeKnots, Located};
@@ -185,6 +187,8 @@ struct Effort {
     tamings: usize,
     /// How often corners that turn too little were made smooth.
     roundings: usize,
+    /// How often numbers may still become cheaper, as long as only what was begun with keeps the tolerance.
+    cheapenings: usize,
 }
 
 impl Effort {

@@ -1,5 +1,6 @@
 //! How a search begins: with even knots, with the corners of a polyline, or with the knots of a fit that has too many.
 
+use super::resort::{ALMOST, Resort};
 use super::{
     Aim, Asked, Effort, Evening, FEW, Fewer, Found, LEAP, PER_NUMBER, Phase, Plan, Pricing, Sparsest, View,
     WARMING,
@@ -8,24 +9,17 @@ use crate::error::Result;
 use crate::fit::convex::problem::interpolating_grid;
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
-use crate::fit::knots::polyline::{Fewest, REACH};
-use crate::fit::knots::rounded::{Rounds, rounded};
+use crate::fit::knots::polyline::REACH;
 use crate::fit::knots::search::{Price, least};
 use crate::fit::knots::spline::Spline;
 use crate::fit::knots::stray::Leash;
 use crate::fit::knots::{adding, polyline};
 use crate::fit::outcome::FitStatus;
-use crate::numerics::angle::sin_cos;
 
 /// The most corners to begin with.
 const MOST_VERTICES: usize = 600;
-/// A tolerance below so many standard deviations of the noise asks for knots that follow it, and for a polyline that
-/// keeps to so much of it.
+/// A tolerance below so many standard deviations of the noise asks for knots that follow it.
 const NEAR_NOISE: f64 = 4.0;
-const ALMOST: f64 = 0.98;
-/// The parts of a tolerance that a polyline leaves to its rounds, and that these are from its vertices.
-const LEFT: f64 = 0.7;
-const DEPTH: f64 = 0.28;
 /// So many points a polyline of nearly all of them may be begun with, where a tolerance takes as many.
 const MOST_THROUGH: usize = 6000;
 /// And so many one that has a vertex more often than every [`REACH`] points, beyond which it draws no edge.
@@ -33,18 +27,6 @@ const MOST_CROWDED: usize = 16_000;
 
 /// Of so many points at most a search begins with the curve through all of them.
 const MOST_FOLLOWED: usize = 1500;
-
-/// From so many points edges of the fewest are drawn in one round.
-const IN_A_ROUND: usize = 4096;
-
-/// How far the polyline is that is an answer where nothing else is.
-#[derive(Clone, Debug)]
-pub(super) enum Resort {
-    None,
-    Edges(Fewest),
-    Vertices(Vec<usize>),
-    Over,
-}
 
 impl Sparsest {
     /// A search among the splines of a plan. `noise` is what is known of the points even where a tolerance is asked
@@ -65,7 +47,7 @@ impl Sparsest {
 
     /// A search that begins with some knots, before anything was done.
     #[inline(never)]
-    fn begun(asked: Asked, view: View, breaks: Breaks) -> Self {
+    pub(super) fn begun(asked: Asked, view: View, breaks: Breaks) -> Self {
         Self {
             pricing: Pricing::new(&asked),
             asked,
@@ -134,65 +116,9 @@ impl Sparsest {
         Ok(Some(search))
     }
 
-    /// Takes the polyline of the fewest vertices for an answer, where what [`Self::missed`] tells is missed, rounded
-    /// off where corners may not be: a round of it, after which it says whether that was the last. O(M) in all but for
-    /// points that are many times denser than the tolerance.
-    ///
-    /// # Errors
-    ///
-    /// `OutOfMemory`.
-    pub(in crate::fit) fn resort_to_polyline(&mut self) -> Result<bool> {
-        let Some(tolerance) = self.missed() else { return Ok(true) };
-        let closed = self.fitted.breaks().closed;
-        let points = &self.view.full.points;
-        match &mut self.resort {
-            Resort::None => {
-                let near = self.rounds(tolerance).map_or(ALMOST * tolerance, |_| LEFT * tolerance);
-                self.resort = Resort::Edges(Fewest::new(points, closed, near)?);
-            }
-            Resort::Edges(fewest) => {
-                if fewest.round(points, IN_A_ROUND) {
-                    self.resort = Resort::Vertices(fewest.vertices(points.len(), closed)?);
-                }
-            }
-            Resort::Vertices(vertices) => {
-                let vertices = core::mem::take(vertices);
-                self.resort = Resort::Over;
-                self.found = match self.resorted(&vertices, tolerance)? {
-                    Some(found) if found.distances.largest <= tolerance => Some(found),
-                    _ => self.found.take(),
-                };
-            }
-            Resort::Over => {}
-        }
-        Ok(matches!(self.resort, Resort::Over))
-    }
-
-    /// How a polyline is to be rounded off; nothing where any corner may be.
-    fn rounds(&self, tolerance: f64) -> Option<Rounds> {
-        let (Asked { least_turn, cornered, .. }, degree) = (self.asked, self.fitted.breaks().degree);
-        // No angle has a cosine below −1.
-        let cosine = if cornered { sin_cos(least_turn).1 } else { -2.0 };
-        (degree > 1 && cosine < 1.0).then_some(Rounds { depth: DEPTH * tolerance, cosine })
-    }
-
-    /// The polyline through some of the points, or what is to be instead.
+    /// Knots at the corners of a polyline through some of the points, if that is enough of them: within a tolerance a line is.
     #[inline(never)]
-    fn resorted(&self, vertices: &[usize], tolerance: f64) -> Result<Option<Found>> {
-        let Some(rounds) = self.rounds(tolerance) else {
-            return self.corners_at(vertices)?.map(|breaks| self.polyline(vertices, breaks)).transpose();
-        };
-        let found = rounded(vertices, &self.view.full, self.fitted.breaks(), rounds)?;
-        Ok(found.map(|(spline, mut located)| {
-            let distances = spline.project_beyond(&mut located, 3, self.near());
-            Found { spline, located, distances, wild: None }
-        }))
-    }
-
-    /// Knots at the corners of a polyline through some of the points, if that is enough of them: within a tolerance a
-    /// line is.
-    #[inline(never)]
-    fn corners_at(&self, vertices: &[usize]) -> Result<Option<Breaks>> {
+    pub(super) fn corners_at(&self, vertices: &[usize]) -> Result<Option<Breaks>> {
         let breaks = polyline::corners(vertices, &self.view.full, self.fitted.breaks())?;
         let few = usize::from(!matches!(self.asked.aim, Aim::Tolerance(_)));
         Ok((breaks.len() >= least(&breaks).max(few)).then_some(breaks))
@@ -200,7 +126,7 @@ impl Sparsest {
 
     /// The polyline through some of the points.
     #[inline(never)]
-    fn polyline(&self, vertices: &[usize], breaks: Breaks) -> Result<Found> {
+    pub(super) fn polyline(&self, vertices: &[usize], breaks: Breaks) -> Result<Found> {
         let (spline, mut located) = polyline::through(vertices, &self.view.full, breaks)?;
         let distances = spline.project_beyond(&mut located, 3, self.near());
         Ok(Found { spline, located, distances, wild: None })
@@ -251,7 +177,7 @@ impl Sparsest {
 
 impl Pricing {
     /// What a number costs at first.
-    fn new(asked: &Asked) -> Self {
+    pub(super) fn new(asked: &Asked) -> Self {
         let noise = PER_NUMBER * asked.noise * asked.noise;
         let price = match asked.aim {
             Aim::Noise(noise) => PER_NUMBER * noise * noise,

@@ -178,6 +178,7 @@ impl Sparsest {
         if fewer {
             self.found = Some(found);
         }
+        self.effort.cheapenings = 0;
         if self.effort.is_tired() || breaks.len() <= least(&breaks) {
             return Phase::Done;
         }
@@ -194,8 +195,11 @@ impl Sparsest {
     }
 
     /// What follows from a fit that breaks the tolerance when another one kept it: the last knots, or the same price
-    /// with more averages, or a price between the two.
+    /// with more averages, or a lower one.
     fn too_dear(&mut self) -> Phase {
+        if let Some(phase) = self.thinned_less() {
+            return phase;
+        }
         let Some(best) = &self.found else { return Phase::Done };
         // What is too far away hides between averages, where a line is rough.
         if self.view.is_averaged()
