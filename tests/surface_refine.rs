@@ -199,8 +199,90 @@ fn a_patch_leaves_the_surface_as_it_is_and_the_net_too() {
         let [(_, first_u, _), (_, first_v, _)] = patched.patch_window(0).expect("there is one");
         let [all_u, all_v] = finer.directions().map(|direction| direction.count);
         let at = 3 * ((first_u + 1) % all_u * count + (first_v + 2) % all_v);
-        assert_eq!(shown[3 * (cols + 2)..][..3], finer.net()[at..at + 3], "the refined net's point");
+        for (a, b) in shown[3 * (cols + 2)..].iter().zip(&finer.net()[at..at + 3]) {
+            // Across a seam the same products are summed in another order.
+            assert!((a - b).abs() <= 1e-15, "the refined net's point: {a} and {b}");
+        }
     }
+}
+
+#[test]
+fn the_points_of_a_patch_anywhere_are_those_of_the_refined_net() {
+    let mut random = Random::new(29);
+    for surface in surfaces() {
+        let levels = [(1, 1), (3, 1), (1, 4)];
+        let finer = levels.map(|(u, v)| surface.refine(u, v).expect("within the limits"));
+        for ((level_u, level_v), finer) in levels.into_iter().zip(&finer) {
+            let [all_u, all_v] = finer.directions().map(|direction| direction.count);
+            let [closed_u, closed_v] = finer.directions().map(|direction| direction.closed);
+            for _ in 0..12 {
+                let mut window = |all: usize, closed: bool| {
+                    let first = random.below(all);
+                    let room = if closed { all } else { all - first };
+                    (first, [1, room, 1 + random.below(room)][random.below(3)])
+                };
+                let (u, v) = (window(all_u, closed_u), window(all_v, closed_v));
+                let patched = surface
+                    .add_patch((level_u, u.0, u.1), (level_v, v.0, v.1), &vec![0.0; 3 * u.1 * v.1])
+                    .expect("in the grid");
+                let shown = patched.patch_points(0).expect("there is one");
+                for (at, number) in shown.iter().enumerate() {
+                    let (i, j) = (at / 3 / v.1, at / 3 % v.1);
+                    let place = 3 * ((u.0 + i) % all_u * all_v + (v.0 + j) % all_v) + at % 3;
+                    let off = (number - finer.net()[place]).abs();
+                    assert!(
+                        off <= 4e-15 * (1.0 + number.abs()),
+                        "{u:?} and {v:?} of {level_u} and {level_v}: {off:e}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_patch_of_the_finest_level_costs_its_own_points_and_no_more() {
+    let torus = TensorSurface::torus(3.0, 1.0, [8, 6]).expect("in the ranges");
+    let mut patched = torus.refine_at(7.9999, 2.0, 12, 0.001).expect("a few points of hundreds of millions");
+    let [(level, first, rows), (_, _, cols)] = patched.patch_window(0).expect("there is one");
+    assert_eq!((level, rows, cols), (12, 9, 8), "all within 0.001: across the seam of u");
+    let shown = patched.patch_points(0).expect("there is one");
+    for (k, point) in shown.as_chunks::<3>().0.iter().enumerate() {
+        let (i, j) = (k / cols, k % cols);
+        // The points of three roots lie at the middles of the grid's intervals.
+        let u = ((first + i) as f64 + 0.5) / 4096.0;
+        let [_, (_, first_v, _)] = patched.patch_window(0).expect("there is one");
+        let v = ((first_v + j) as f64 + 0.5) / 4096.0;
+        let on = torus.evaluate(u, v, 0, 0).expect("closed");
+        assert!((on - Vector3::from(*point)).norm() < 1e-6, "control points lie near the surface");
+    }
+    let before = patched.clone();
+    patched.set_patch_point(0, 4, 4, Vector3::new(5.0, 0.0, 0.0)).expect("in the patch");
+    let after = patched.patch_points(0).expect("there is one");
+    assert!((after[3 * (4 * cols + 4)] - 5.0).abs() < 1e-15, "where it was put");
+    assert!(distance(&before, &patched) < 1e-15, "and nowhere but there");
+    // A surface that is finer in one direction, in part or wholly, has it, too.
+    for (u, v) in [(1, 0), (0, 3), (7, 7)] {
+        let finer = patched.refine(u, v).expect("within the limits");
+        assert_eq!(finer.patch_count(), 1, "the net is too coarse for it");
+        for (du, dv) in [(0.0, 0.0), (3e-4, -2e-4), (0.5, 0.5)] {
+            let [p, q] = [&patched, &finer].map(|s| s.evaluate(7.9999 + du, 2.0 + dv, 0, 0).expect("closed"));
+            assert!((p - q).norm() <= 1e-12, "refined by {u}, {v}: {:e}", (p - q).norm());
+        }
+    }
+    // So has one whose patch is fine in one direction only, and the finer one is as small as it can be.
+    let displacements = vec![0.25; 3 * 4 * 3];
+    let long = torus.add_patch((12, 32_766, 4), (1, 3, 3), &displacements).expect("in the grid");
+    let finer = long.refine(0, 4).expect("within the limits");
+    let [(_, _, rows), (level, _, cols)] = finer.patch_window(0).expect("there is one");
+    assert_eq!((rows, level, cols), (4, 4, 38), "four rows of all that three points reach");
+    for (u, v) in [(0.0, 2.0), (1e-4, 2.3), (7.9998, 1.1), (0.0, 3.9), (4.0, 2.0)] {
+        let [p, q] = [&long, &finer].map(|s| s.evaluate(u, v, 0, 0).expect("closed"));
+        assert!((p - q).norm() <= 1e-12, "at {u}, {v}: {:e}", (p - q).norm());
+    }
+    // What a patch may have is what a net may have.
+    let refused = unboxed(torus.refine_at(1.0, 1.0, 12, 1.0)).map(|_| ());
+    assert!(matches!(refused, Err(Error::LimitExceeded { argument: "levels", .. })), "{refused:?}");
 }
 
 #[test]

@@ -26,6 +26,7 @@ mod extent;
 mod layer;
 mod mesh;
 mod normal;
+mod part;
 mod patch;
 mod poles;
 mod reduce;
