@@ -23,7 +23,7 @@ import { type Direction, MAX_LEVEL, type SurfacePatch, type TensorSurfaceOptions
 import { type DirectionData, type PatchData, SurfaceData, readSurface } from "./surface/surface-data.js";
 import { type SurfaceKernel, call, copy, peek, result } from "./surface/surface-engine.js";
 import { type TensorSurfaceJSON, surfaceJSON } from "./surface/surface-json.js";
-import { type MeshRegion, type SurfaceMesh, mend, newMesh, refill, sizes } from "./surface/surface-mesh.js";
+import { type MeshRegion, type SurfaceMesh, curvatures, mend, newMesh, refill, sizes } from "./surface/surface-mesh.js";
 
 export type { MeshFileOptions } from "./surface/mesh-files.js";
 export type { Direction, SurfacePatch, TensorSurfaceOptions } from "./surface/surface-arguments.js";
@@ -266,7 +266,7 @@ export class TensorSurface {
     const op = "meshCurvature";
     const data = dataOf(this, op);
     const grid = sizes(op, rows, cols);
-    return halves(copy(data.ask(op, (kernel, slot) => kernel.surface_mesh_curvature(slot, ...grid))));
+    return curvatures(op, data.resident(op), grid);
   }
 
   /**
@@ -305,7 +305,8 @@ export class TensorSurface {
    * is; its points take the detail along.
    *
    * @throws {ExplineError} E_RANGE of `u` or `v` outside an open direction, of `levels` outside 1 to 12, of `reach`
-   *   outside 0 to 1e6; E_DEGENERATE of a `reach` within which there is no control point.
+   *   outside 0 to 1e6; E_LIMIT where a direction's level would be above 12, or the patch have more than 4,194,304
+   *   points; E_DEGENERATE of a `reach` within which there is no control point.
    */
   refineAt(
     u: number,

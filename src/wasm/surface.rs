@@ -144,9 +144,7 @@ pub fn surface_mesh(
     col_count: u32,
 ) -> i32 {
     with(slot, &mut |surface, kernel| {
-        let grid = Grid { rows: rows as usize, cols: cols as usize };
-        let range = |first: u32, count: u32| first as usize..first as usize + count as usize;
-        let region = Region { rows: range(row, row_count), cols: range(col, col_count) };
+        let (grid, region) = part([rows, cols], [row, row_count], [col, col_count]);
         grid.check()?;
         let vertices = times(row_count, col_count as usize);
         grow(&mut kernel.output, 6 * vertices, 0.0)?;
@@ -157,17 +155,32 @@ pub fn surface_mesh(
     })
 }
 
-/// Gaussian curvatures, then mean ones, at all vertices of a mesh.
+/// Gaussian curvatures, then mean ones, of a region of a mesh.
 #[wasm_bindgen]
-pub fn surface_mesh_curvature(slot: u32, rows: u32, cols: u32) -> i32 {
+pub fn surface_mesh_curvature(
+    slot: u32,
+    rows: u32,
+    cols: u32,
+    row: u32,
+    row_count: u32,
+    col: u32,
+    col_count: u32,
+) -> i32 {
     with(slot, &mut |surface, kernel| {
-        let grid = Grid { rows: rows as usize, cols: cols as usize };
+        let (grid, region) = part([rows, cols], [row, row_count], [col, col_count]);
         grid.check()?;
-        let vertices = times(rows, grid.cols);
+        let vertices = times(row_count, col_count as usize);
         grow(&mut kernel.output, 2 * vertices, 0.0)?;
-        surface.mesh_curvatures_into(grid, &grid.whole(), &mut kernel.output[..2 * vertices])?;
+        surface.mesh_curvatures_into(grid, &region, &mut kernel.output[..2 * vertices])?;
         Ok(2 * vertices)
     })
+}
+
+/// A grid, and a region of it from a first row and a first column on.
+fn part(grid: [u32; 2], rows: [u32; 2], cols: [u32; 2]) -> (Grid, Region) {
+    let [all_rows, all_cols] = grid.map(|count| count as usize);
+    let range = |[first, count]: [u32; 2]| first as usize..first as usize + count as usize;
+    (Grid { rows: all_rows, cols: all_cols }, Region { rows: range(rows), cols: range(cols) })
 }
 
 /// The vertex numbers of a mesh's triangles, two in the place of each number. Returns how many places; the count is in

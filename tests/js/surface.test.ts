@@ -156,6 +156,44 @@ test("a patch leaves the mesh as it is, and its points move their surroundings o
   assert.ok(changed > 0 && changed < 0.1 * before.length, `${changed} of ${before.length}`);
 });
 
+test("a patch of the finest level costs its own points: it is made, moved, kept and loaded", () => {
+  const torus = TensorSurface.torus(3, 1);
+  const patched = torus.refineAt(3, 2, { levels: 12, reach: 0.001 });
+  const [patch] = patched.patches;
+  assert.ok(patch !== undefined && patch.u.level === 12 && patch.u.count * patch.v.count < 100);
+  patched.setPatchPoint(0, 4, 4, 0, 0, 5);
+  assert.equal(patched.patchPoints(0)[3 * (4 * patch.v.count + 4) + 2], 5);
+  const loaded = fromJSON(patched.toJSON());
+  assert.deepEqual(loaded.patchPoints(0), patched.patchPoints(0));
+  assert.deepEqual(loaded.evaluate(3, 2), patched.evaluate(3, 2));
+  assert.throws(
+    () => torus.refineAt(3, 2, { levels: 12 }),
+    (error) => error instanceof ExplineError && error.code === "E_LIMIT" && error.limit === "maxSurfacePoints" && error.actual === 8192 ** 2,
+  );
+});
+
+test("a grid as long as it may be has the vertices and curvatures of its places, in either direction", () => {
+  const torus = TensorSurface.torus(3, 1).refineAt(3, 2);
+  torus.setPatchPoint(0, 1, 1, 0, 0, 2);
+  const [long, few] = [2_000_000, 2];
+  for (const [rows, cols] of [[few, long], [long, few]] as const) {
+    const mesh = torus.mesh(rows, cols);
+    const { gaussian } = torus.meshCurvature(rows, cols);
+    assert.equal(mesh.positions.length, 3 * 4_000_000);
+    const places = [0, 65_535, 65_536, 1_048_576, 1_999_999].map((k) => (cols === long ? [0, k] : [k, 0]) as [number, number]);
+    const { u, v } = torus.domain;
+    for (const [i, j] of [...places, ...places.map(([i, j]) => (cols === long ? [1, j] : [i, 1]) as [number, number])]) {
+      const [s, t] = [(u[1] * i) / rows, (v[1] * j) / cols];
+      const at = i * cols + j;
+      const apart = torus.evaluate(s, t).map((x, k) => Math.abs(x - (mesh.positions[3 * at + k] ?? NaN)));
+      assert.ok(Math.max(...apart) < 1e-14, `vertex ${i}, ${j}`);
+      const turned = torus.normal(s, t).map((x, k) => Math.abs(x - (mesh.normals[3 * at + k] ?? NaN)));
+      assert.ok(Math.max(...turned) < 1e-12, `normal ${i}, ${j}`);
+      assert.ok(Math.abs((torus.curvature(s, t).gaussian[0] ?? NaN) - (gaussian[at] ?? NaN)) < 1e-11, `curvature ${i}, ${j}`);
+    }
+  }
+});
+
 test("curvatures of a torus are the closed forms, in bulk as one by one", () => {
   const surface = TensorSurface.torus(3, 1, [8, 6]);
   const { gaussian, mean } = surface.meshCurvature(8, 60);

@@ -1,7 +1,7 @@
 /** Meshes of surfaces as they are handed out, filled again, and mended where a point has moved. */
 import { type Floats, MAX_OUTPUT, integer, lengthOfArray, overLimit, tagOf, wrong, wrongLength } from "../core.js";
 import type { SurfaceData } from "./surface-data.js";
-import { call, peek, result } from "./surface-engine.js";
+import { type SurfaceKernel, call, peek, result } from "./surface-engine.js";
 
 /** Triangles of a surface. */
 export interface SurfaceMesh {
@@ -37,15 +37,22 @@ export function sizes(op: string, rows: unknown, cols: unknown): Grid {
   return grid;
 }
 
-/** The arrays of a mesh that a caller hands in, read once. */
-interface Target {
+/** Numbers of vertices. */
+type Numbers = Float64Array | Float32Array;
+
+/** The arrays of a mesh. */
+interface Vertices {
+  readonly positions: Numbers;
+  readonly normals: Numbers;
+}
+
+/** Those of one that a caller hands in, read once. */
+interface Target extends Vertices {
   readonly grid: Grid;
-  readonly positions: Float64Array | Float32Array;
-  readonly normals: Float64Array | Float32Array;
 }
 
 /** Whether it really holds floating-point numbers, of either width. */
-function isFloats(value: unknown): value is Float64Array | Float32Array {
+function isFloats(value: unknown): value is Numbers {
   return /^Float(?:32|64)Array$/.test(String(tagOf(value)));
 }
 
@@ -69,10 +76,64 @@ function writable(op: string, arg: "mesh" | "out", value: unknown): SurfaceMesh 
   return mesh;
 }
 
-/** All vertices, as they lie in the kernel: positions, then normals. */
-function vertices(op: string, slot: number, grid: Grid): { positions: Float64Array; normals: Float64Array } {
-  const all = peek(call(op, (kernel) => kernel.surface_mesh(slot, ...grid, 0, grid[0], 0, grid[1])));
-  return { positions: all.subarray(0, all.length / 2), normals: all.subarray(all.length / 2) };
+/** First row, rows, first column and columns; counted round the end where the surface is closed. */
+type Part = readonly [row: number, rows: number, col: number, cols: number];
+
+/** So many columns, and so many vertices, at a time: what the engine needs for more is a multiple of what comes out. */
+const MOST_COLUMNS = 1 << 16;
+const MOST_VERTICES = 1 << 20;
+
+/** The parts that a grid is worked out in: all but very large ones in a single one. */
+function partsOf([rows, cols]: Grid): Part[] {
+  const across = Math.min(cols, MOST_COLUMNS);
+  const down = Math.min(rows, Math.floor(MOST_VERTICES / across));
+  const parts: Part[] = [];
+  for (let row = 0; row < rows; row += down) {
+    for (let col = 0; col < cols; col += across) parts.push([row, Math.min(down, rows - row), col, Math.min(across, cols - col)]);
+  }
+  return parts;
+}
+
+/** The runs of vertices of a part: number of the first in the grid and in the part, and how many. A line that runs across the seam goes on at the beginning of the row. */
+function runs([rows, cols]: Grid, [row, count, left, across]: Part, visit: (to: number, from: number, length: number) => void): void {
+  const before = Math.min(across, cols - left);
+  for (let k = 0; k < count; k += 1) {
+    const to = cols * ((row + k) % rows);
+    visit(to + left, across * k, before);
+    if (before < across) visit(to, across * k + before, across - before);
+  }
+}
+
+/** Works out a part of a grid and puts it where it belongs in two arrays of `each` numbers a vertex: `body` leaves one half of its numbers for each. */
+function fill(op: string, grid: Grid, part: Part, halves: readonly Numbers[], each: number, body: (kernel: SurfaceKernel) => number): void {
+  const total = call(op, body);
+  const all = peek(total);
+  runs(grid, part, (to, from, length) => {
+    halves.forEach((array, i) => {
+      const start = (i * total) / 2 + each * from;
+      array.set(all.subarray(start, start + each * length), each * to);
+    });
+  });
+}
+
+/** Works out the vertices of a part; how many have no normal. */
+function vertices(op: string, slot: number, grid: Grid, part: Part, { positions, normals }: Vertices): number {
+  fill(op, grid, part, [positions, normals], 3, (kernel) => kernel.surface_mesh(slot, ...grid, ...part));
+  return result(0);
+}
+
+/** Works out all vertices; how many have no normal. */
+function allVertices(op: string, slot: number, grid: Grid, target: Vertices): number {
+  return partsOf(grid).reduce((without, part) => without + vertices(op, slot, grid, part, target), 0);
+}
+
+/** Curvatures at all vertices. @internal */
+export function curvatures(op: string, slot: number, grid: Grid): { gaussian: Float64Array; mean: Float64Array } {
+  const [gaussian, mean] = [new Float64Array(grid[0] * grid[1]), new Float64Array(grid[0] * grid[1])];
+  for (const part of partsOf(grid)) {
+    fill(op, grid, part, [gaussian, mean], 1, (kernel) => kernel.surface_mesh_curvature(slot, ...grid, ...part));
+  }
+  return { gaussian, mean };
 }
 
 /** The triangles of a mesh: whole numbers that lie two by two where the kernel has its numbers. */
@@ -84,24 +145,22 @@ function triangles(op: string, slot: number, [rows, cols]: Grid): Uint32Array {
 /** A new mesh of the surface in a place of the kernel. @internal */
 export function newMesh(op: string, slot: number, grid: Grid): SurfaceMesh & { positions: Floats; normals: Floats } {
   const indices = triangles(op, slot, grid);
-  const { positions, normals } = vertices(op, slot, grid);
   const [rows, cols] = grid;
-  return { rows, cols, positions: positions.slice() as Floats, normals: normals.slice() as Floats, indices, withoutNormal: result(0) };
+  const [positions, normals] = [new Float64Array(3 * rows * cols), new Float64Array(3 * rows * cols)];
+  const withoutNormal = allVertices(op, slot, grid, { positions, normals });
+  return { rows, cols, positions, normals, indices, withoutNormal };
 }
 
 /** Fills a mesh of the same size again; its triangles stay. @internal */
 export function refill(op: string, surface: SurfaceData, grid: Grid, out: unknown): SurfaceMesh {
   const target = targetOf(op, "out", out, grid);
   const mesh = writable(op, "out", out);
-  const { positions, normals } = vertices(op, surface.resident(op), grid);
-  target.positions.set(positions);
-  target.normals.set(normals);
-  mesh.withoutNormal = result(0);
+  mesh.withoutNormal = allVertices(op, surface.resident(op), grid, target);
   return mesh;
 }
 
 /** How many of the vertices have no normal. */
-function withoutNormal(normals: Float64Array | Float32Array): number {
+function withoutNormal(normals: Numbers): number {
   let count = 0;
   for (let k = 0; k < normals.length; k += 3) if (normals[k] === 0 && normals[k + 1] === 0 && normals[k + 2] === 0) count += 1;
   return count;
@@ -112,28 +171,15 @@ function withoutNormal(normals: Float64Array | Float32Array): number {
  * @internal
  */
 export function mend(op: string, surface: SurfaceData, value: unknown, patch: number, row: number, col: number): MeshRegion {
-  const { grid, positions, normals } = targetOf(op, "mesh", value);
+  const target = targetOf(op, "mesh", value);
+  const { grid, normals } = target;
   const mesh = writable(op, "mesh", value);
-  const [rows, cols] = grid;
   // Now, when no getter of the mesh's can ask other surfaces any more.
   const slot = surface.resident(op);
   call(op, (kernel) => kernel.surface_touched(slot, ...grid, patch, row, col));
-  const [first, count, left, across] = [result(0), result(1), result(2), result(3)];
-  const total = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, first, count, left, across));
-  const all = peek(total);
-  // A line that runs across the seam goes on at the beginning of the row.
-  const before = 3 * Math.min(across, cols - left);
-  let without = 0;
-  for (const [array, start] of [[positions, 0], [normals, total / 2]] as const) {
-    for (let k = 0; k < count; k += 1) {
-      const line = all.subarray(start + 3 * across * k, start + 3 * across * (k + 1));
-      const to = 3 * cols * ((first + k) % rows);
-      for (const [part, at] of [[line.subarray(0, before), to + 3 * left], [line.subarray(before), to]] as const) {
-        if (array === normals) without += withoutNormal(part) - withoutNormal(array.subarray(at, at + part.length));
-        array.set(part, at);
-      }
-    }
-  }
-  mesh.withoutNormal += without;
-  return { rows: [first, count], cols: [left, across] };
+  const part = [result(0), result(1), result(2), result(3)] as const;
+  let before = 0;
+  runs(grid, part, (to, _, length) => (before += withoutNormal(normals.subarray(3 * to, 3 * (to + length)))));
+  mesh.withoutNormal += vertices(op, slot, grid, part, target) - before;
+  return { rows: [part[0], part[1]], cols: [part[2], part[3]] };
 }
