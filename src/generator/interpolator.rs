@@ -79,7 +79,8 @@ impl Interpolator {
     ///
     /// # Errors
     ///
-    /// Fewer than 3 roots; a root without its opposite; |im| ≥ π; a system whose condition exceeds 1e12.
+    /// Fewer than 3 roots; a root without its opposite; |im| ≥ π; a system whose condition exceeds 1e12, and roots that leave no
+    /// digits otherwise.
     pub fn new(roots: &Roots) -> Result<Self> {
         if let Some(i) = roots.too_fast() {
             return Err(too_fast(i, roots.as_slice()[i].im, PI));
@@ -102,7 +103,7 @@ impl Interpolator {
         }
         let exact = Propagated::new(roots)?;
         let spline = ExponentialBSpline::rounded(roots, &exact)?;
-        let (weights, condition) = solve(order, &exact)?;
+        let (weights, condition) = solve(roots, &exact)?;
         let halves = halves(order, &exact, &weights)?;
         let lambda = weights.iter().map(|l| l.high).collect();
         let identity = deviation_of_identity(roots, &weights, condition);
@@ -111,7 +112,7 @@ impl Interpolator {
         let rounding = interpolator.lambda.iter().fold(0.0, |sum, l| sum + l.abs()) * ROUNDING;
         let sound = interpolator.identity <= IDENTITY + rounding && condition <= WORST_CONDITION;
         if !sound || (roots.too_fast().is_some() && interpolator.halves.riesz_bounds().lower < LEAST_RIESZ) {
-            return Err(nonexistent());
+            return Err(nonexistent(roots));
         }
         Ok(interpolator)
     }
@@ -272,8 +273,18 @@ fn weighted_exponentials(root: Root, weights: &[Twofold]) -> (Complex<f64>, f64)
     (Complex::new(sum[0].value(), sum[1].value()), size)
 }
 
-fn nonexistent() -> Box<Error> {
-    Error::degenerate("roots", None, "there is no interpolator for these roots")
+/// Below π no list is known that has none, however few of its digits are left.
+fn nonexistent(roots: &Roots) -> Box<Error> {
+    let beyond = roots.too_fast().is_some();
+    Error::degenerate(
+        "roots",
+        None,
+        if beyond {
+            "there is no interpolator for these roots"
+        } else {
+            "no digits of the interpolator are left"
+        },
+    )
 }
 
 /// λ and the condition of its system.
@@ -282,7 +293,8 @@ fn nonexistent() -> Box<Error> {
 /// What is left over in twofold numbers goes through the same elimination until nothing is (D 9.4), in which there are
 /// closed forms for three roots, too, that are less exact near π.
 #[inline(never)]
-fn solve(order: usize, exact: &Propagated) -> Result<(Vec<Twofold>, f64)> {
+fn solve(roots: &Roots, exact: &Propagated) -> Result<(Vec<Twofold>, f64)> {
+    let order = roots.order();
     let size = order - 1;
     // β at half of j − n₀.
     let sample = |j: usize| exact.sample(j / 2, j % 2 == 1);
@@ -301,7 +313,7 @@ fn solve(order: usize, exact: &Propagated) -> Result<(Vec<Twofold>, f64)> {
         right.push(1.0 / total);
     }
     let Some(inverse) = inverse(&scaled, size) else {
-        return Err(nonexistent());
+        return Err(nonexistent(roots));
     };
     let mut condition: f64 = 0.0;
     for row in inverse.chunks_exact(size) {

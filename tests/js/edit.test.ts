@@ -273,6 +273,7 @@ test("a call that throws says which argument is wrong, and changes nothing", () 
     [() => tangentWeights(curve, "1" as unknown as number), "E_TYPE", "t"],
     [() => hitTest(curve as unknown as HermiteCurve[], 0, 0, reach), "E_TYPE", "curves"],
     [() => hitTest([curve, {} as HermiteCurve], 0, 0, reach), "E_TYPE", "curves[1]"],
+    [() => hitTest(new Array<HermiteCurve>(3), 0, 0, reach), "E_TYPE", "curves[0]"],
     [() => hitTest([new InterpolatingCurve({ points: [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 1]] })], 0, 0, reach), "E_TYPE", "curves[0]"],
     [() => hitTest([curve], 0, 0, { reach: -1 }), "E_RANGE", "reach"],
     [() => hitTest([curve], 0, 0, { reach: 1, handles: [[7]] }), "E_RANGE", "handles[0][0]"],

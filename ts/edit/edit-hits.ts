@@ -68,7 +68,7 @@ const CURVE_REACH = 0.6;
 export function hitTest(curves: readonly Curve[], x: number, y: number, options: HitOptions): Hit | undefined {
   const op = "hitTest";
   if (!Array.isArray(curves)) throw wrong("E_TYPE", op, "curves", curves, "a list of curves");
-  const list = curves.map((curve: unknown, i) => planeCurve(op, curve, i));
+  const list = Array.from(curves, (curve: unknown, i) => planeCurve(op, curve, i));
   const at: Place = [coordinate(op, "x", x), coordinate(op, "y", y)];
   const { reach, curveReach, handles } = checkOptions(op, options, ["reach", "curveReach", "handles"]);
   const far = inRange(op, "reach", reach, 0, Infinity);

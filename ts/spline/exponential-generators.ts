@@ -147,7 +147,9 @@ export class Interpolator extends Exponential {
    *
    * @param roots - closed under conjugation and negation, 3 to 16 of them, real parts up to ±20, imaginary parts below
    *   π, or, where it exists, up to 10 with `beyondPi`.
-   * @throws {ExplineError} E_DEGENERATE where there is no interpolator, naming the root where one is at fault.
+   * @throws {ExplineError} E_DEGENERATE where there is no interpolator, naming the root where one is at fault, and
+   *   where none of its digits are left: of large real roots among many others, and of imaginary parts within some
+   *   1e-12 of π.
    */
   constructor(roots: readonly Root[], options?: { beyondPi?: boolean | undefined }) {
     const op = INTERPOLATOR;

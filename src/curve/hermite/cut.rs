@@ -39,7 +39,11 @@ impl HermiteCurve {
     /// A parameter that is not finite or outside the domain of an open curve; t1 less than 1e-12 beyond t0, on an open
     /// curve also before it.
     pub fn trim(&self, t0: f64, t1: f64) -> Result<Self> {
-        let (from, to) = (self.snapped(self.locate(t0)?), self.snapped(self.locate(t1)?));
+        let place = |t, name| match self.locate(t) {
+            Ok(place) => Ok(self.snapped(place)),
+            Err(error) => Err(error.about(name)),
+        };
+        let (from, to) = (place(t0, "t0")?, place(t1, "t1")?);
         let around = self.is_closed() && (from.0 > to.0 || (from.0 == to.0 && from.1 >= to.1));
         let empty = if self.is_closed() {
             !around && from.0 == to.0 && (to.1 - from.1) * self.lengths()[from.0] < LEAST_LENGTH
