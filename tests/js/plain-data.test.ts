@@ -42,6 +42,11 @@ test("what toJSON gives tells curves apart, and is the same for the same curve",
   for (const lengths of [[1, 1, 1], [2, 2, 2], [1, 2, 1.5], 1, 0.5]) {
     const curve = new HermiteCurve({ points: [0, 0, 9, 0, 9, 9], tangents: [3, 0, 0, 3, 1, 1], lengths });
     assert.deepStrictEqual(curve.reverse().reverse().toJSON(), curve.toJSON(), `lengths ${String(lengths)}`);
+    const { points, tangents } = curve;
+    const same = new HermiteCurve({ points, tangents, tangentsIn: tangents, lengths });
+    assert.deepStrictEqual(same.toJSON(), curve.toJSON(), "tangents that arrive as they leave are said once");
+    same.setTangent(1, 5, 6, "in");
+    assert.deepStrictEqual(fromJSON(same.toJSON()).tangentsIn, same.tangentsIn);
   }
 });
 
