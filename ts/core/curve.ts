@@ -231,7 +231,7 @@ export abstract class MeasuredCurve implements Curve {
 
   /**
    * The point of the curve that is nearest to (x, y), in space to (x, y, z); of several the one that the curve reaches
-   * first.
+   * first. No point is nearer by more than 2e-13 of the curve's size.
    *
    * @throws {ExplineError} E_RANGE of a coordinate beyond ±1e9; E_TYPE where a curve in space is asked without `z`.
    * @example
@@ -281,7 +281,7 @@ export abstract class MeasuredCurve implements Curve {
 
   /**
    * A polyline that is nowhere farther from the curve than `tolerance`: all coordinates in turn; a closed one does not
-   * repeat its start. A tolerance below 1e-9 of the curve's extent counts as that.
+   * repeat its start. A tolerance below 1e-9 of the curve's extent, or 1e-15 of its largest coordinate, counts as that.
    *
    * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0; E_LIMIT where it would take more than
    *   4,000,000 points.
@@ -295,7 +295,8 @@ export abstract class MeasuredCurve implements Curve {
 
   /**
    * Cubic Béziers within `tolerance`, eight numbers each (twelve in space), as few as it takes; `maxError` is a proved
-   * bound of the distance. A tolerance below 1e-9 of the curve's extent counts as that.
+   * bound of the distance. A tolerance below 1e-9 of the curve's extent, or 1e-15 of its largest coordinate, counts as
+   * that.
    *
    * @throws {ExplineError} E_RANGE of a `tolerance` that is not above 0; E_LIMIT where it would take more than
    *   4,000,000 points.

@@ -193,9 +193,11 @@ export class HermiteCurve extends MeasuredCurve {
 
   /**
    * The same curve with `arity` segments, by default 2, in place of each; the parameter stays, the end of the domain to
-   * a rounding.
+   * a rounding. The shape stays to rounding, which beside a segment of nearly a full turn, ω·length = 2π − ε, is
+   * 5e-16/ε of its size; so it does in `insert`.
    *
-   * @throws {ExplineError} E_RANGE of an `arity` below 1, E_LIMIT where there would be more than 4,000,000 points.
+   * @throws {ExplineError} E_RANGE of an `arity` below 1, and of `points` where the curve goes beyond ±1e9; E_LIMIT
+   *   where there would be more than 4,000,000 points.
    */
   refine(arity = 2): HermiteCurve {
     const op = "refine";
@@ -208,7 +210,8 @@ export class HermiteCurve extends MeasuredCurve {
    * The same curve with one more point, at parameter t: in segment k it becomes point k + 1. Every place keeps its
    * parameter. Where a point is already, none is added.
    *
-   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve.
+   * @throws {ExplineError} E_RANGE of `t` outside the domain of an open curve, and of `points` where the curve is
+   *   beyond ±1e9 at t; likewise `split` and `trim`.
    */
   insert(t: number): HermiteCurve {
     const op = "insert";

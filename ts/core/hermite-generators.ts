@@ -102,7 +102,11 @@ export class HermiteGenerators {
     return { lower: result(5), upper: result(6) };
   }
 
-  /** The two Green's functions ρ₁ and ρ₂ at every x. */
+  /**
+   * The two Green's functions ρ₁ and ρ₂ at every x.
+   *
+   * @throws {ExplineError} E_RANGE of an x beyond 1e9/ω, in the hyperbolic space beyond 700/ω, and beyond 1e100.
+   */
   greens(x: number | Float64Array | readonly number[]): { rho1: Float64Array; rho2: Float64Array } {
     const both = at(this, "greens", x, (kernel, w, s, count) => kernel.generators_greens(w, s, count));
     return { rho1: both.slice(0, both.length / 2), rho2: both.slice(both.length / 2) };
