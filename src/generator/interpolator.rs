@@ -79,8 +79,8 @@ impl Interpolator {
     ///
     /// # Errors
     ///
-    /// Fewer than 3 roots; a root without its opposite; |im| ≥ π; a system whose condition exceeds 1e12, and roots that leave no
-    /// digits otherwise.
+    /// Fewer than 3 roots; a root without its opposite; |im| ≥ π; a system whose condition exceeds 1e12, and roots that
+    /// leave no digits otherwise.
     pub fn new(roots: &Roots) -> Result<Self> {
         if let Some(i) = roots.too_fast() {
             return Err(too_fast(i, roots.as_slice()[i].im, PI));

@@ -1,5 +1,5 @@
-//! Part of a layer on a finer grid, from as few of its points as that takes: a patch on the twelfth level is some ten points
-//! wide, and the whole grid there has hundreds of millions.
+//! Part of a layer on a finer grid, from as few of its points as that takes: a patch on the twelfth level is some ten
+//! points wide, and the whole grid there has hundreds of millions.
 
 use super::axis::{Axis, Direction};
 use super::layer::{Layer, Window};
@@ -16,14 +16,15 @@ struct Run {
     count: usize,
 }
 
-/// One direction's way from the grid of a layer to a finer one: the axes on it, and the run of points that is wanted on each
-/// and on the last.
+/// One direction's way from the grid of a layer to a finer one: the axes on it, and the run of points that is wanted on
+/// each and on the last.
 struct Way {
     axes: Vec<Axis>,
     runs: Vec<Run>,
 }
 
-/// The fewest points that have a doubling, and which of the finer points is the first that an open list from point 0 on gives.
+/// The fewest points that have a doubling, and which of the finer points is the first that an open list from point 0 on
+/// gives.
 fn doubling(axis: &Axis) -> (usize, i64) {
     let Direction { ref roots, closed, level, .. } = axis.direction;
     let order = roots.order();
@@ -63,8 +64,8 @@ impl Way {
         Ok(Self { axes, runs })
     }
 
-    /// The points of the first run doubled step by step, in every list of those that follow each other; a point has `inner`
-    /// numbers.
+    /// The points of the first run doubled step by step, in every list of those that follow each other; a point has
+    /// `inner` numbers.
     fn follow(&self, mut net: Vec<f64>, inner: usize) -> Result<Vec<f64>> {
         for ((axis, from), to) in self.axes.iter().zip(&self.runs).zip(&self.runs[1..]) {
             let Direction { ref roots, level, .. } = axis.direction;
@@ -123,7 +124,8 @@ impl Layer {
         Ok(())
     }
 
-    /// The same layer, `levels` doublings finer in u and in v: a whole one whole, a patch as all points that its own reach.
+    /// The same layer, `levels` doublings finer in u and in v: a whole one whole, a patch as all points that its own
+    /// reach.
     pub(super) fn doubled(&self, levels: [u32; 2]) -> Result<Self> {
         let (u, rows) = reached(&self.u, self.rows, levels[0])?;
         let (v, columns) = reached(&self.v, self.columns, levels[1])?;

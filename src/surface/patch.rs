@@ -10,16 +10,17 @@ use crate::numerics::Vector3;
 use crate::numerics::angle::wrapped;
 
 impl TensorSurface {
-    /// The same surface with room for detail around (u, v): a patch of finer control points, `levels` doublings beyond the
-    /// base's, of all that lie within `reach` of (u, v) in each direction. The rest of the net stays as it is.
+    /// The same surface with room for detail around (u, v): a patch of finer control points, `levels` doublings beyond
+    /// the base's, of all that lie within `reach` of (u, v) in each direction. The rest of the net stays as it is.
     ///
-    /// A patch is a layer of displacements on a finer grid, all 0 at first: the surface is unchanged to the last bit, and a
-    /// point of the net that is moved later takes the detail along. \[FB88\]
+    /// A patch is a layer of displacements on a finer grid, all 0 at first: the surface is unchanged to the last bit,
+    /// and a point of the net that is moved later takes the detail along. \[FB88\]
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for `u`, `v`, `levels` (1 to 12) and `reach` (0 to 1e6); `LimitExceeded` for `levels` that make more than 12 with those
-    /// that there are, or a patch of more than 4,194,304 points; `Degenerate` for `reach` where no control point is within it.
+    /// `OutOfRange` for `u`, `v`, `levels` (1 to 12) and `reach` (0 to 1e6); `LimitExceeded` for `levels` that make
+    /// more than 12 with those that there are, or a patch of more than 4,194,304 points; `Degenerate` for `reach` where
+    /// no control point is within it.
     pub fn refine_at(&self, u: f64, v: f64, levels: u32, reach: f64) -> Result<Self> {
         self.check_place(u, v)?;
         check("reach", None, reach, 0.0, 1e6)?;
@@ -88,8 +89,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for `patch`, `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`; `OutOfRange` for `displacements`
-    /// where the point would be moved by more than 2e9.
+    /// `OutOfRange` for `patch`, `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`; `OutOfRange` for
+    /// `displacements` where the point would be moved by more than 2e9.
     pub fn set_patch_point(&mut self, patch: usize, i: usize, j: usize, point: Vector3) -> Result<()> {
         let layer = self.patch(patch)?;
         layer.check(i, j)?;
@@ -127,8 +128,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for `u.level`, `u.first`, `u.count` and those of `v`; `WrongLength`, `NotFinite` and `OutOfRange` for
-    /// `displacements`. The surface is as it was then.
+    /// `OutOfRange` for `u.level`, `u.first`, `u.count` and those of `v`; `WrongLength`, `NotFinite` and `OutOfRange`
+    /// for `displacements`. The surface is as it was then.
     pub fn push_patch(
         &mut self,
         u: (u32, usize, usize),

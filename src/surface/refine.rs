@@ -33,9 +33,9 @@ pub(super) fn grown(axis: &Axis, levels: u32) -> usize {
 impl TensorSurface {
     /// The same surface with 2^`levels_u` times the points in u and 2^`levels_v` times in v.
     ///
-    /// A direction that is refined is in B-spline form: its points are control points, near the surface and ever nearer,
-    /// in the normalisation in which they move with the surface under affine maps. Detail that was added locally stays; what the
-    /// finer net can hold goes into it.
+    /// A direction that is refined is in B-spline form: its points are control points, near the surface and ever
+    /// nearer, in the normalisation in which they move with the surface under affine maps. Detail that was added
+    /// locally stays; what the finer net can hold goes into it.
     ///
     /// # Accuracy
     ///
@@ -43,8 +43,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for more than 12 levels, and for a finer `net` that is not within ±1e9; `LimitExceeded` for `levels` that make
-    /// more than 12 with those that there are, or more than 4,194,304 points.
+    /// `OutOfRange` for more than 12 levels, and for a finer `net` that is not within ±1e9; `LimitExceeded` for
+    /// `levels` that make more than 12 with those that there are, or more than 4,194,304 points.
     ///
     /// # Source
     ///

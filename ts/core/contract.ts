@@ -48,7 +48,10 @@ export interface Ellipse {
 
 /** How a path is written. */
 export interface PathOptions {
-  /** Largest distance between the path and the curve, in the user's unit. Default 0.02; below 1e-9 of the curve's extent, or 1e-15 of its largest coordinate, it counts as that. */
+  /**
+   * Largest distance between the path and the curve, in the user's unit. Default 0.02; below 1e-9 of the curve's
+   * extent, or 1e-15 of its largest coordinate, it counts as that.
+   */
   tolerance?: number | undefined;
   /**
    * Digits after the point, 0 to 17. Default: as few as the tolerance allows; 17 keeps every coordinate to the last

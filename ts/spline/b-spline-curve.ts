@@ -16,7 +16,10 @@ export interface BSplineCurveOptions {
   roots: readonly Root[];
   /** From one control point to the next, in units of the parameter, 1e-12 to 1e9. Default 1. */
   step?: number | undefined;
-  /** The parameter of control point 0. Default 0. A parameter that is large beside the step tells no places apart: 1e9 is rounded to 1e-7. */
+  /**
+   * The parameter of control point 0. Default 0. A parameter that is large beside the step tells no places apart: 1e9
+   * is rounded to 1e-7.
+   */
   offset?: number | undefined;
   /**
    * Both ends of the parameter, within 1e-12 of what step and offset say. Default: just that; but a curve that was

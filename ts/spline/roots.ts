@@ -6,7 +6,10 @@ function made(op: string, body: (kernel: SplineKernel) => number): Root[] {
   return rootList(copy(call(op, body)));
 }
 
-/** What is wrong with list i, said of it, and of all lists where together they have too many roots: the engine knows of one at a time. */
+/**
+ * What is wrong with list i, said of it, and of all lists where together they have too many roots: the engine knows of
+ * one at a time.
+ */
 function ofList(error: unknown, i: number): unknown {
   if (!(error instanceof ExplineError)) return error;
   const { name, message, stack, code, op, fatal, argument = "", ...fields } = error;

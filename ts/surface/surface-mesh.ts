@@ -94,7 +94,10 @@ function partsOf([rows, cols]: Grid): Part[] {
   return parts;
 }
 
-/** The runs of vertices of a part: number of the first in the grid and in the part, and how many. A line that runs across the seam goes on at the beginning of the row. */
+/**
+ * The runs of vertices of a part: number of the first in the grid and in the part, and how many. A line that runs
+ * across the seam goes on at the beginning of the row.
+ */
 function runs([rows, cols]: Grid, [row, count, left, across]: Part, visit: (to: number, from: number, length: number) => void): void {
   const before = Math.min(across, cols - left);
   for (let k = 0; k < count; k += 1) {
@@ -104,7 +107,10 @@ function runs([rows, cols]: Grid, [row, count, left, across]: Part, visit: (to: 
   }
 }
 
-/** Works out a part of a grid and puts it where it belongs in two arrays of `each` numbers a vertex: `body` leaves one half of its numbers for each. */
+/**
+ * Works out a part of a grid and puts it where it belongs in two arrays of `each` numbers a vertex: `body` leaves one
+ * half of its numbers for each.
+ */
 function fill(op: string, grid: Grid, part: Part, halves: readonly Numbers[], each: number, body: (kernel: SurfaceKernel) => number): void {
   const total = call(op, body);
   const all = peek(total);
