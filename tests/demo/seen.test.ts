@@ -205,3 +205,24 @@ test("with text twice as large on a phone what is chosen in the export dialog ca
   await demo.still();
   assert.deepEqual(await cutIn(demo, ".dialog-body"), []);
 });
+
+test("a comb leaves out what has no curvature, a segment without extent, and the rest of the picture is drawn", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  const plain = await demo.pixels();
+  // Two points in one place, and no handles between them.
+  await demo.page.evaluate(() => {
+    const state = structuredClone(window.explineDemo.getState());
+    const [a, b] = state.curve.contours[0]?.points ?? [];
+    if (a === undefined || b === undefined) throw new Error("there are points");
+    const none = { dx: 0, dy: 0 };
+    Object.assign(a, { kind: "cusp", out: none });
+    Object.assign(b, { kind: "cusp", in: none, x: a.x, y: a.y });
+    return window.explineDemo.setState(state);
+  });
+  const before = await demo.pixels();
+  assert.ok((await demo.changedPixels(plain, before)) > 100, "the curve is another one");
+  await demo.byId("ov-comb").check();
+  await demo.idle();
+  assert.ok((await demo.changedPixels(before, await demo.pixels())) > 500, "the comb of the other segments");
+  assert.deepEqual(demo.complaints, []);
+});

@@ -1,4 +1,4 @@
-import { HermiteCurve, type Curve } from "expline/slim";
+import { ExplineError, HermiteCurve, type Curve } from "expline/slim";
 import { partsOf } from "../../../document/curve/parts.ts";
 import { lengthOf, segmentCount, type Contour, type CurveDocument } from "../../../document/document.ts";
 import { curveOf } from "../curve-cache.ts";
@@ -47,6 +47,21 @@ function placesIn(curve: Curve, contour: Contour, perSegment: number, every = 1)
   return within(curve, places);
 }
 
+/** NaN where there is none, as in a segment without extent: the others keep theirs. */
+function curvatureOf(curve: Curve, places: Float64Array): Float64Array {
+  try {
+    return curve.curvature(places);
+  } catch (error) {
+    if (!(error instanceof ExplineError) || error.code !== "E_DEGENERATE") throw error;
+    if (places.length <= 1) return places.map(() => NaN);
+    const half = places.length >> 1;
+    const all = new Float64Array(places.length);
+    all.set(curvatureOf(curve, places.subarray(0, half)));
+    all.set(curvatureOf(curve, places.subarray(half)), half);
+    return all;
+  }
+}
+
 const known = new WeakMap<Curve, Teeth>();
 
 /** Of a contour or a part of one; kept with its curve. */
@@ -63,7 +78,7 @@ export function teethOf(document: CurveDocument, contour: Contour, perSegment: n
     const speed = Math.hypot(dx, dy);
     [across[i], across[i + 1]] = [dy / speed, -dx / speed];
   }
-  const fresh = { perSegment, feet: curve.evaluate(places), across, curvature: curve.curvature(places) };
+  const fresh = { perSegment, feet: curve.evaluate(places), across, curvature: curvatureOf(curve, places) };
   known.set(curve, fresh);
   return fresh;
 }
@@ -83,7 +98,7 @@ export function bendsOf(document: CurveDocument, contour: Contour): Float64Array
     if (curve === null) return [];
     const last = looks.get(curve);
     if (last?.every === every) return [last.bends];
-    const bends = curve.curvature(placesIn(curve, part, looksPerSegment, every)).map(Math.abs);
+    const bends = curvatureOf(curve, placesIn(curve, part, looksPerSegment, every)).map(Math.abs);
     looks.set(curve, { every, bends });
     return [bends];
   });
