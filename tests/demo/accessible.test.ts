@@ -357,3 +357,25 @@ test("letters on the canvas grow with the page's text", async (t) => {
   // Small text is three quarters of the root's size.
   assert.match((await demo.page.evaluate(() => document.body.dataset["font"])) ?? "", /^24px /);
 });
+
+for (const options of [{ viewport: { width: 1440, height: 900 } }, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }]) {
+  test(`at ${options.viewport.width} px with text twice as large neither the hint nor the zoom box lies over a drawing that was fitted`, async (t) => {
+    const demo = await open(t, "", options);
+    await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
+    await demo.still();
+    for (const sample of ["circle-2", "heart", "blob-16"]) {
+      await demo.page.evaluate((id) => { location.hash = `#/curve?sample=${id}`; }, sample);
+      await demo.until(() => demo.state(), ({ curve }) => (curve as { sample?: string }).sample === sample, sample);
+      await demo.focusStage();
+      await demo.press("f");
+      await demo.still();
+      const boxes = await boxesOf(demo.page, [".stage-hint", ".stage-zoom"]);
+      assert.equal(boxes.length, 2);
+      for (const [x, y] of await demo.sample(300)) {
+        const at = await demo.toScreen(x, y);
+        const over = boxes.find(({ left, right, top, bottom }) => at.x > left && at.x < right && at.y > top && at.y < bottom);
+        assert.equal(over, undefined, `${sample}: ${JSON.stringify([at, over])}`);
+      }
+    }
+  });
+}

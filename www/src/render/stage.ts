@@ -46,10 +46,10 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
 
   function measure(): void {
     const box = surface.getBoundingClientRect();
-    const stage = { left: box.left, top: box.top, width: box.width, height: box.height };
-    editor.patch({ stage, view: resized(editor.state.value.view, stage) });
     // Text of another size leaves another stage.
     palette = readPalette(document.documentElement);
+    const stage = { left: box.left, top: box.top, width: box.width, height: box.height, text: palette.em / 12 };
+    editor.patch({ stage, view: resized(editor.state.value.view, stage) });
     ratio = canvasRatio(box.width, box.height, window.devicePixelRatio);
     const [width, height] = [Math.floor(box.width * ratio), Math.floor(box.height * ratio)];
     if (canvas.width !== width) canvas.width = width;
