@@ -23,7 +23,7 @@ export type ProblemId =
   | "image-type" | "image-broken" | "image-big" | "image-blank" | "file-type"
   | "svg-broken" | "svg-entities" | "svg-big" | "svg-range" | "svg-nopath"
   | "d-broken" | "d-range" | "d-big"
-  | "points-rows" | "points-few" | "points-big"
+  | "points-rows" | "points-list" | "points-few" | "points-big"
   | "json-version" | "json-broken" | "json-big"
   | "paste-unknown"
   | "number"

@@ -31,7 +31,7 @@ function parsed(text: string): unknown {
       continue;
     }
   }
-  throw new Problem("points-rows", { line: 1 });
+  throw new Problem("points-list");
 }
 
 const isNumber = (value: unknown): value is number => typeof value === "number";

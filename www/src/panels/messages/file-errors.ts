@@ -29,6 +29,7 @@ const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> =
   "d-range": () => "The path has coordinates beyond 1 000 000 000. Scale it down and try again.",
   "d-big": () => "The path is too large to read here. Simplify it and try again.",
   "points-rows": (d) => `Line ${d.line ?? 1} is not two numbers. Write one point per line, such as 120,80.`,
+  "points-list": () => "This list of points, or JSON, breaks off: a bracket, a comma or a quotation mark is missing or too many.",
   "points-few": (d) => `A curve needs at least 2 different points; there are ${d.count ?? 0}.`,
   "points-big": (d) => `The file has more than ${d.most ?? 0} points. Remove some and try again.`,
   "json-version": (d) => `This file was made by a newer version (${d.version ?? "?"}). This page reads up to ${stateVersion}.`,
