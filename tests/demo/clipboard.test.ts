@@ -200,4 +200,7 @@ test("where the browser keeps the clipboard to itself, what was to be copied can
   await demo.page.mouse.click(x, y, { button: "right" });
   await demo.byId("menu-paste").click();
   assert.match(await demo.textOf("error"), /blocked pasting\. Press Ctrl\+V/u);
+  await demo.byId("btn-code").click();
+  await demo.byId("code-copy").click();
+  assert.equal(await offered(), await demo.textOf("code-listing"));
 });

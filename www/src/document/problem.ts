@@ -29,7 +29,7 @@ export type ProblemId =
   | "number"
   | "share-long" | "share-bad"
   | "part-missing"
-  | "clipboard" | "storage" | "engine";
+  | "storage" | "engine";
 
 export class Problem extends Error {
   override readonly name = "Problem";

@@ -1,12 +1,12 @@
 import "../../styles/buttons.css";
 import "../../styles/drawer.css";
 import type { CurveDocument } from "../../document/document.ts";
+import { whenLoaded } from "../../editor/loading.ts";
 import { decimalsIn } from "../../document/unit.ts";
 import { unitOf } from "../../kernel/unit.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
 import { icon } from "../controls/icons.ts";
-import { errorText } from "../messages/errors.ts";
-import { inNextFrame, type Shell } from "../shell.ts";
+import { inNextFrame, printedKey, type Shell } from "../shell.ts";
 import { abridged, mostShown, snippetFor, snippetNames, type SnippetId } from "./snippets.ts";
 
 /** As the export dialog has them before anybody changes them. */
@@ -79,7 +79,11 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
     set(false);
   });
   copy.addEventListener("click", () => {
-    void io.copyText(whole).then((done) => (done ? toasts.say("Code copied.") : toasts.error("clipboard", errorText("clipboard"))));
+    const text = whole;
+    void io.copyText(text).then((done) => {
+      if (done) toasts.say("Code copied.");
+      else whenLoaded(editor, import("../controls/by-hand.ts"), ({ offerByHand }) => offerByHand(text, printedKey("Mod+C")));
+    });
   });
   // A very long program is not printed sixty times a second: it waits for the end of the drag.
   const soon = inNextFrame(shell.frame, () => (editor.state.value.drag === null || whole.length <= mostShown) && refresh());

@@ -10,7 +10,7 @@ import { button, openDialog } from "../controls/dialog.ts";
 import { h } from "../controls/dom.ts";
 import { layersOf, lookOf } from "../files/look.ts";
 import type { FileLook } from "../page-io.ts";
-import type { Shell } from "../shell.ts";
+import { printedKey, type Shell } from "../shell.ts";
 import { chosenOptions, drawsAreas, lookField, optionFields } from "./export-options.ts";
 import { pngGroup } from "./export-png.ts";
 import { exportResult, type Box } from "./export-result.ts";
@@ -71,7 +71,7 @@ function drawingOnStage({ modes, state }: Editor): CurveDocument | null {
 function copy({ editor, io, toasts }: Shell, text: string, what: string): void {
   void io.copyText(text).then((done) => {
     if (done) toasts.say(`Copied ${what}.`);
-    else whenLoaded(editor, import("../files/by-hand.ts"), ({ offerByHand }) => offerByHand(text));
+    else whenLoaded(editor, import("../controls/by-hand.ts"), ({ offerByHand }) => offerByHand(text, printedKey("Mod+C")));
   });
 }
 

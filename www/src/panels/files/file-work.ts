@@ -6,7 +6,7 @@ import { documentPathD } from "../../kernel/paths/paths.ts";
 import { decimalsIn } from "../../document/unit.ts";
 import { unitOf } from "../../kernel/unit.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
-import type { Shell } from "../shell.ts";
+import { printedKey, type Shell } from "../shell.ts";
 import { pasteCopy, rememberCopy } from "./clipboard.ts";
 import { naturalDestination, place, readWhole } from "./load.ts";
 import { layersOf, lookOf } from "./look.ts";
@@ -91,7 +91,7 @@ export async function copied(shell: Shell, coming: Promise<Copy | null>, taken: 
   try {
     const copy = await coming;
     if (copy === null) return;
-    if (!(await taken)) return (await import("./by-hand.ts")).offerByHand(copy.text);
+    if (!(await taken)) return (await import("../controls/by-hand.ts")).offerByHand(copy.text, printedKey("Mod+C"));
     await copy.done();
   } catch (error) {
     report(shell, error);

@@ -3,14 +3,13 @@ import { Problem, type ProblemDetails, type ProblemId } from "../../document/pro
 type Say = (d: ProblemDetails) => string;
 
 /** Messages that the page may need at any moment; those of files come with the file (`file-errors.ts`). */
-export type NearProblem = "number" | "share-bad" | "clipboard" | "storage" | "engine";
+export type NearProblem = "number" | "share-bad" | "storage" | "engine";
 export type FarProblem = Exclude<ProblemId, NearProblem>;
 
 /** The catalogue of messages: what happened, why, what to do. The id stands in `data-error`. */
 export const nearMessages: Readonly<Record<NearProblem, Say>> = {
   number: (d) => `Enter a number from ${d.least ?? 0} to ${d.most ?? 0}.${d.kept === undefined || d.kept === "" ? "" : ` Kept: ${d.kept}.`}`,
   "share-bad": () => "The link could not be read. The default sample is shown.",
-  clipboard: () => "The browser blocked copying. Select the text and copy it by hand.",
   storage: () => "This browser cannot save your drawing. Download the JSON to keep it.",
   engine: (d) => `The engine stopped (${d.code ?? "unknown"}). Your drawing is safe; the engine was restarted.`,
 };
