@@ -294,6 +294,14 @@ test("several points have a box that can be typed, and become of one kind when t
   assert.equal(await demo.byId("sel-w").inputValue(), "200.00");
 });
 
+test("on an empty stage nobody is told to click a point, or to step through points", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  const selected = demo.page.getByRole("region", { name: "Selected" });
+  assert.match((await selected.textContent()) ?? "", /Click a point, or press \]/u);
+  await demo.click("btn-clear");
+  assert.match((await selected.textContent()) ?? "", /Nothing selected\.$/u);
+});
+
 test("an empty stage offers nobody to add points to a contour that is not there", async (t) => {
   const demo = await open(t);
   await demo.byId("btn-clear").click();

@@ -6,8 +6,9 @@ export interface Section {
   update(state: EditorState): void;
 }
 
-/** Keys are named to who may have some. */
-export function nothingSelected({ touch }: EditorState, point: string): string {
+/** Keys are named to who may have some, and points where there are some. */
+export function nothingSelected({ mode, curve, touch }: EditorState, point: string): string {
+  if (mode === "curve" && curve.contours.length === 0) return "Nothing selected.";
   return `Nothing selected. ${touch ? `Tap ${point}.` : `Click ${point}, or press ] to step through them.`}`;
 }
 
