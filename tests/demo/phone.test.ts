@@ -300,3 +300,26 @@ test("the longest shape of Surface is read to its last letter, on a desktop and 
     assert.ok(letters > 0 && letters <= room, `${letters} px in ${room}`);
   }
 });
+
+test("on a tablet Escape puts the panel away again, from its button and from within, and a typed number first", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", { viewport: { width: 768, height: 1024 }, hasTouch: true, isMobile: true });
+  const isOpen = async (): Promise<boolean> => (await demo.byId("btn-panel").getAttribute("aria-expanded")) === "true";
+  await demo.byId("btn-panel").click();
+  await demo.press("Escape");
+  assert.equal(await isOpen(), false);
+  await demo.byId("btn-panel").click();
+  await demo.still();
+  await demo.byId("omega").fill("2");
+  await demo.press("Escape");
+  assert.equal(await isOpen(), true, "what was typed is taken back");
+  await demo.press("Escape");
+  assert.equal(await isOpen(), false);
+  assert.equal(await demo.page.evaluate(() => document.activeElement?.getAttribute("data-testid")), "btn-panel");
+});
+
+test("beside the stage the panel stays where it is when Escape is pressed in it", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.byId("omega").focus();
+  await demo.press("Escape");
+  assert.ok(await demo.byId("omega").isVisible());
+});

@@ -174,5 +174,14 @@ function panelToggle({ regions }: Shell): HTMLButtonElement {
     panel.dataset["open"] = String(open);
     toggle.setAttribute("aria-expanded", String(open));
   });
+  // Where it is no drawer, there is no button for it.
+  for (const part of [panel, toggle]) {
+    part.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || panel.dataset["open"] !== "true" || !toggle.checkVisibility()) return;
+      event.stopPropagation();
+      toggle.click();
+      toggle.focus();
+    });
+  }
   return toggle;
 }
