@@ -323,3 +323,12 @@ test("beside the stage the panel stays where it is when Escape is pressed in it"
   await demo.press("Escape");
   assert.ok(await demo.byId("omega").isVisible());
 });
+
+test("fingers, which can drop and paste nothing, are asked to choose a picture", async (t) => {
+  const demo = await open(t, "#/trace", phone);
+  await demo.byId("empty-trace").waitFor();
+  assert.doesNotMatch(await demo.textOf("empty-trace"), /drop|paste/iu);
+  const beside = await open(t, "#/trace");
+  await beside.byId("empty-trace").waitFor();
+  assert.match(await beside.textOf("empty-trace"), /Drop a picture, paste one.*Drop, paste or choose/su);
+});

@@ -30,7 +30,7 @@ export function traceSampleCards({ editor }: Shell, done: () => void, samples: r
 export function mountEmptyTrace(shell: Shell): void {
   mountEmptyStage(shell, ({ mode, trace, incoming }) => mode === "trace" && incoming === null && isEmptyTrace(trace), () =>
     h("div", { class: "empty empty-curve empty-trace", testid: "empty-trace" },
-      h("h2", {}, "Drop a picture, paste one, or try"),
+      h("h2", {}, shell.editor.state.value.touch ? "Choose a picture, or try" : "Drop a picture, paste one, or try"),
       pictureField(shell, "empty-file"),
       h("div", { class: "samples" }, ...traceSampleCards(shell, () => undefined, offered)),
       h("p", { class: "quiet" }, "Pictures stay on this device. Nothing is uploaded.")));

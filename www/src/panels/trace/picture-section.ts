@@ -70,7 +70,7 @@ export function pictureField(shell: Shell, testid = "trace-file"): HTMLElement {
     if (chosen !== undefined) whenLoaded(shell.editor, import("../files/file-work.ts"), ({ receiveFiles }) => receiveFiles(shell, [chosen]));
     file.value = "";
   });
-  return h("label", { class: "file-drop trace-drop" }, icon("plus"), h("span", {}, "Drop, paste or choose…"), file);
+  return h("label", { class: "file-drop trace-drop" }, icon("plus"), h("span", {}, shell.editor.state.value.touch ? "Choose a picture…" : "Drop, paste or choose…"), file);
 }
 
 function sizeText({ trace, traceRun }: EditorState): string {
