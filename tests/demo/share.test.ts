@@ -105,6 +105,23 @@ test("DM-001 an edit is kept when the page is left at once", async (t) => {
   assert.equal(await demo.page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("expline.kept.")).length), 0, "it has moved into the database");
 });
 
+test("DM-001 what was done just before a drag is kept when a reload interrupts the drag", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.drag("pt-0-1", 40, 30);
+  const { curve } = await demo.state();
+  const { x, y } = await demo.centre("pt-0-1");
+  await demo.page.mouse.move(x, y);
+  await demo.page.mouse.down();
+  await demo.page.mouse.move(x + 60, y + 20, { steps: 4 });
+  await demo.idle();
+  assert.notDeepEqual((await demo.state()).curve, curve, "the drag has begun");
+  await demo.page.reload();
+  await demo.page.mouse.up();
+  await demo.page.evaluate(() => window.explineDemo.ready);
+  await demo.idle();
+  assert.deepEqual((await demo.state()).curve, curve);
+});
+
 test("DM-001 a drag that is interrupted by a reload leaves the state before it", async (t) => {
   const demo = await open(t);
   await demo.withoutSnap();

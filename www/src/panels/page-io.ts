@@ -25,6 +25,7 @@ export interface PageIo {
   createAutosave(options: {
     read(): DemoState;
     busy(): boolean;
+    abandon(): void;
     failing(failed: boolean): void;
     until: AbortSignal;
   }): { touch(): void };

@@ -15,6 +15,8 @@ export interface AutosaveOptions {
   read(): DemoState;
   /** True while a gesture is open: what is half done is not kept. */
   busy(): boolean;
+  /** Takes it back. */
+  abandon(): void;
   /** Told when keeping begins to fail, and when it works again. */
   failing(failed: boolean): void;
   readonly until: AbortSignal;
@@ -25,7 +27,7 @@ export interface Autosave {
   touch(): void;
 }
 
-export function createAutosave({ read, busy, failing, until }: AutosaveOptions): Autosave {
+export function createAutosave({ read, busy, abandon, failing, until }: AutosaveOptions): Autosave {
   const session = Math.random().toString(36).slice(2, 10).padEnd(8, "0");
   let generation = 0;
   let timer: ReturnType<typeof setTimeout> | null = null;
@@ -63,7 +65,11 @@ export function createAutosave({ read, busy, failing, until }: AutosaveOptions):
     timer ??= setTimeout(take, delayMs);
   };
   document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && leave(), { signal: until });
-  window.addEventListener("pagehide", () => leave() && letGo(), { signal: until });
+  window.addEventListener("pagehide", () => {
+    // What was done before it may not be kept yet.
+    if (busy()) abandon();
+    if (leave()) letGo();
+  }, { signal: until });
   window.addEventListener("pageshow", takeUp, { signal: until });
   until.addEventListener("abort", () => timer !== null && clearTimeout(timer), { once: true });
   return { touch };

@@ -53,6 +53,7 @@ function startKeeping(shell: Shell): void {
   const keeping = io.createAutosave({
     read: () => editor.getState(),
     busy: () => editor.inGesture,
+    abandon: editor.undo,
     failing: (failed) => (failed ? regions.status.append(warning) : warning.remove()),
     until,
   });
