@@ -243,18 +243,6 @@ test("points as a program has them, in pairs or with their names, become a smoot
   assert.equal((await refused(demo, "[[10, 20], [30, 40, 50]]")).id, "points-rows");
 });
 
-test("a list of points that breaks off, and a JSON file that does, are told about brackets and not about rows", async (t) => {
-  const demo = await open(t);
-  const { id, text } = await refused(demo, "[[10, 20], [30");
-  assert.equal(id, "points-list");
-  assert.match(text, /JSON.*bracket/u);
-  await demo.press("Escape");
-  await demo.byId("import-dialog").waitFor({ state: "detached" });
-  await drop(demo, "points.json", "application/json", "[1,2");
-  await demo.byId("error").waitFor();
-  assert.match(await demo.textOf("error"), /JSON.*bracket/u);
-});
-
 test("points as rows become a smooth curve through all of them", async (t) => {
   const demo = await open(t);
   await imported(demo, "0,0\n100,20\n180,120\n60;150");

@@ -1,5 +1,6 @@
 /** What a file that arrives is, by type, name and first bytes. */
 import { Problem } from "../document/problem.ts";
+import { gunzip } from "./link/compress.ts";
 import { checkPicture } from "./picture/picture-file.ts";
 
 export type Incoming = { readonly name: string; readonly text: string } | { readonly name: string; readonly picture: Blob };
@@ -11,10 +12,28 @@ function extensionOf(name: string): string {
 }
 
 const textTypes: ReadonlySet<string> = new Set(["svg", "json", "txt", "csv", "tsv", "dat", "xy"]);
-const pictureTypes: ReadonlySet<string> = new Set(["png", "jpg", "jpeg", "webp", "avif", "gif", "bmp", "tif", "tiff", "heic"]);
+const pictureTypes: ReadonlySet<string> = new Set(["png", "jpg", "jpeg", "webp", "avif", "gif", "bmp", "tif", "tiff", "heic", "heif"]);
+
+/** Of them, what few browsers have a decoder for. */
+const rareTypes: ReadonlySet<string> = new Set(["tif", "tiff", "heic", "heif"]);
+
+/** What is in a gzipped file, as `.svgz` is, under its name; any other as it is. @throws Problem where it is broken, or too much. */
+async function unpacked(file: File): Promise<File> {
+  const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
+  if (first !== 0x1f || second !== 0x8b) return file;
+  const name = file.name.replace(/\.svgz$|\.gz$/iu, (end) => (end.length === 5 ? ".svg" : ""));
+  try {
+    const bytes = await gunzip(new Uint8Array(await file.arrayBuffer()), mostTextBytes);
+    return new File([bytes], name, { type: /\.svg$/iu.test(name) ? "image/svg+xml" : "" });
+  } catch (error) {
+    if (error instanceof RangeError) throw new Problem("svg-big", { field: "bytes", most: mostTextBytes });
+    throw new Problem("file-type", { name: shortName(file.name) });
+  }
+}
 
 /** A picture, or the text of a file that can be drawn. @throws Problem for anything else. */
-export async function readIncoming(file: File): Promise<Incoming> {
+export async function readIncoming(given: File): Promise<Incoming> {
+  const file = await unpacked(given);
   const named = file.name !== "";
   const name = named ? shortName(file.name) : "The pasted file";
   const extension = extensionOf(file.name);
@@ -22,6 +41,8 @@ export async function readIncoming(file: File): Promise<Incoming> {
   if (!isSvg && (file.type.startsWith("image/") || pictureTypes.has(extension))) {
     const title = named ? name : "Pasted picture";
     await checkPicture(file, title);
+    const rare = rareTypes.has(extension) || /^image\/(?:tiff|hei[cf])$/u.test(file.type);
+    if (rare && !(await isReadable(file))) throw new Problem("image-type", { name: title });
     return { name: title, picture: file };
   }
   const isText = isSvg || textTypes.has(extension) || file.type === "application/json" || file.type.startsWith("text/");
@@ -31,6 +52,16 @@ export async function readIncoming(file: File): Promise<Incoming> {
   // A binary file under a text name is told apart by its first bytes.
   if (text.slice(0, 1000).includes("\u0000")) throw new Problem("file-type", { name });
   return { name, text };
+}
+
+/** Whether this browser has a decoder for it. */
+async function isReadable(picture: Blob): Promise<boolean> {
+  try {
+    (await createImageBitmap(picture)).close();
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 /** A file name as it may be shown: at most 60 characters, and nothing that reorders or hides them. */

@@ -15,9 +15,17 @@ export async function gzippedSize(text: string): Promise<number> {
   return packed.length;
 }
 
+export function inflate(bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer>> {
+  return outOf(new DecompressionStream("deflate-raw"), bytes, most);
+}
+
+export function gunzip(bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer>> {
+  return outOf(new DecompressionStream("gzip"), bytes, most);
+}
+
 /** Unpacks at most `most` bytes; more is refused while it streams, before it is all in memory. */
-export async function inflate(bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer>> {
-  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw")).getReader();
+async function outOf(stream: DecompressionStream, bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer>> {
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
   const chunks: Uint8Array<ArrayBuffer>[] = [];
   let size = 0;
   for (;;) {
