@@ -15,7 +15,7 @@ export function mountHeader(shell: Shell, theme: ThemeControl): void {
   const menuId = "header-menu";
   const menu = h(
     "div",
-    { class: "header-menu", id: menuId, "data-open": "false" },
+    { class: "header-menu", id: menuId },
     menuButton("Samples", "btn-samples", "Start from a sample", run("samples")),
     menuButton("Import", "btn-import", withKey(editor, "Import a file, a path or points", "import"), run("import")),
     menuButton("Export", "btn-export", withKey(editor, "Export a path, SVG, PNG, JSON or TypeScript", "export"), run("export")),
@@ -36,19 +36,19 @@ export function mountHeader(shell: Shell, theme: ThemeControl): void {
   // A choice closes the phone's menu; so does a press anywhere else, and going on to anything else.
   menu.addEventListener("click", (event) => {
     if (menu.dataset["open"] !== "true" || !(event.target instanceof Element) || event.target.closest("[data-stays]") !== null) return;
-    closeMenu(menu, toggle);
+    setOpen(menu, toggle, false);
     // A dialog that it opens gives the focus back to what is still there then.
     toggle.focus();
   });
   for (const type of ["pointerdown", "focusin"]) {
     document.addEventListener(type, ({ target }) => {
-      if (target instanceof Node && !menu.contains(target) && !toggle.contains(target)) closeMenu(menu, toggle);
+      if (target instanceof Node && !menu.contains(target) && !toggle.contains(target)) setOpen(menu, toggle, false);
     }, { signal: shell.until });
   }
   regions.header.addEventListener("keydown", (event) => {
     if (event.key !== "Escape" || menu.dataset["open"] !== "true") return;
     event.stopPropagation();
-    closeMenu(menu, toggle);
+    setOpen(menu, toggle, false);
     toggle.focus();
   });
 }
@@ -138,21 +138,21 @@ function menuToggle(menu: HTMLElement, id: string): HTMLButtonElement {
     type: "button",
     testid: "btn-menu",
     "aria-label": "Menu",
-    "aria-expanded": "false",
     "aria-controls": id,
   }, icon("menu"));
+  setOpen(menu, toggle, false);
   toggle.addEventListener("click", () => {
     const open = menu.dataset["open"] !== "true";
-    menu.dataset["open"] = String(open);
-    toggle.setAttribute("aria-expanded", String(open));
+    setOpen(menu, toggle, open);
     if (open) menu.querySelector("button")?.focus();
   });
   return toggle;
 }
 
-function closeMenu(menu: HTMLElement, toggle: HTMLElement): void {
-  menu.dataset["open"] = "false";
-  toggle.setAttribute("aria-expanded", "false");
+/** A part of the page, and the button for it. */
+function setOpen(part: HTMLElement, toggle: HTMLElement, open: boolean): void {
+  part.dataset["open"] = String(open);
+  toggle.setAttribute("aria-expanded", String(open));
 }
 
 /** Between phone and desktop the panel is a drawer; this opens it. */
@@ -160,26 +160,21 @@ function panelToggle({ regions }: Shell): HTMLButtonElement {
   const { panel } = regions;
   // Beside the stage it is always there; as a drawer it would hide what the visitor came to see.
   const starts = window.matchMedia("(width >= 64em)").matches;
-  panel.dataset["open"] = String(starts);
   const toggle = h("button", {
     class: "icon-button panel-toggle",
     type: "button",
     testid: "btn-panel",
     "aria-label": "Panel",
-    "aria-expanded": String(starts),
     title: "Show or hide the panel",
   }, icon("panel"));
-  toggle.addEventListener("click", () => {
-    const open = panel.dataset["open"] !== "true";
-    panel.dataset["open"] = String(open);
-    toggle.setAttribute("aria-expanded", String(open));
-  });
+  setOpen(panel, toggle, starts);
+  toggle.addEventListener("click", () => setOpen(panel, toggle, panel.dataset["open"] !== "true"));
   // Where it is no drawer, there is no button for it.
   for (const part of [panel, toggle]) {
     part.addEventListener("keydown", (event) => {
       if (event.key !== "Escape" || panel.dataset["open"] !== "true" || !toggle.checkVisibility()) return;
       event.stopPropagation();
-      toggle.click();
+      setOpen(panel, toggle, false);
       toggle.focus();
     });
   }
