@@ -90,6 +90,15 @@ test("refining leaves the curve where it is, for even and for uneven contours, a
   }
 });
 
+test("an open curve can be resampled again and again, though the sum of its lengths is rounded", () => {
+  const { curve, contour } = sample("cycloid");
+  const end = contour.points.at(-1);
+  for (let count = 7; count <= 64; count += 1) {
+    const last = resampled(curve, resampled(curve, contour, count), 11).points.at(-1);
+    assert.ok(Math.hypot((last?.x ?? NaN) - (end?.x ?? NaN), (last?.y ?? NaN) - (end?.y ?? NaN)) < 1e-9, `by way of ${count} points`);
+  }
+});
+
 test("a circle resampled to any number of points is still that circle", () => {
   const { curve, contour } = sample("circle-2");
   for (const count of [3, 5, 8, 64, 256]) {

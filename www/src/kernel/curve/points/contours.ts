@@ -6,6 +6,7 @@ import { stretchAround } from "../../../document/curve/stretch.ts";
 import { arraysOf, pointOf } from "./control-points.ts";
 import { curveOf, hermiteOf } from "../curve-cache.ts";
 import { isOrdinary } from "../refining.ts";
+import { within } from "../samples.ts";
 
 /**
  * Edits that need the curve itself: exact insertion, healing removal, other numbers of points, and reading curves back
@@ -132,7 +133,7 @@ export function resampled(document: CurveDocument, contour: Contour, count: numb
   const period = domainLength(contour);
   const segments = contour.closed ? count : count - 1;
   const step = period / segments;
-  const t = Float64Array.from({ length: count }, (_, i) => (i === segments ? period : i * step));
+  const t = within(curve, Float64Array.from({ length: count }, (_, i) => (i === segments ? period : i * step)));
   const places = curve.evaluate(t);
   const tangents = curve.evaluate(t, 1);
   const points = Array.from({ length: count }, (_, i) => {
