@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { setFlagsFromString } from "node:v8";
 import { pathToFileURL } from "node:url";
@@ -9,7 +10,7 @@ import { inspect } from "node:util";
 import { runInNewContext } from "node:vm";
 import { Worker } from "node:worker_threads";
 
-import { ExponentialBSpline, ExplineError, HermiteCurve, HermiteGenerators, Interpolator, InterpolatingCurve, SparseFitter, TensorSurface, fromJSON, initSync, parsePath } from "expline";
+import { ExponentialBSpline, ExplineError, HermiteCurve, HermiteGenerators, Interpolator, InterpolatingCurve, SparseFitter, TensorSurface, fitSparse, fromJSON, initSync, initTrace, parsePath } from "expline";
 
 import { trapping } from "./trapping.ts";
 
@@ -223,6 +224,62 @@ test("init takes bytes, a module, and the address of a file", () => {
     `);
     assert.equal(said, "-1");
   }
+});
+
+test("what starts an engine may come from another realm, as in test runners and frames", () => {
+  const from = {
+    bytes: "runInNewContext('(n) => new ArrayBuffer(n)')(file.length)",
+    module: "runInNewContext('(bytes) => new WebAssembly.Module(bytes)')(file)",
+    wasmUrl: "runInNewContext('(href) => new (class URL { href = href })()')(pathToFileURL('pkg/expline_bg.wasm').href)",
+  };
+  for (const [name, code] of Object.entries(from)) {
+    const said = node(`
+      import { readFileSync } from "node:fs";
+      import { pathToFileURL } from "node:url";
+      import { runInNewContext } from "node:vm";
+      import init, { HermiteCurve } from "expline/slim";
+      const file = readFileSync("pkg/expline_bg.wasm");
+      const ${name} = ${code};
+      if (${name} instanceof Object) throw new Error("of this realm");
+      if (Object.prototype.toString.call(${name}) === "[object ArrayBuffer]") new Uint8Array(${name}).set(file);
+      await init({ ${name} });
+      console.log(HermiteCurve.ellipse({ center: [0, 0], radii: [1, 1], count: 2 }).evaluate(1)[0]);
+    `);
+    assert.equal(said, "-1", name);
+  }
+});
+
+test("what stands where options belong, and is none, is refused instead of overlooked", async () => {
+  const bytes = readFileSync("pkg/expline_bg.wasm");
+  const strays = [new URL("file:///a.wasm"), new AbortController().signal, Promise.resolve({}), bytes.buffer, new WebAssembly.Module(bytes), new Response(), new Map()];
+  const refused = (error: unknown): boolean => error instanceof ExplineError && error.code === "E_TYPE" && error.argument === "options" && error.bound === "a plain object";
+  const square = [0, 0, 4, 0, 4, 4, 0, 4];
+  const line = HermiteCurve.through([0, 0, 1, 1]);
+  for (const stray of strays) {
+    assert.throws(() => fitSparse(square, hostile(stray)), refused);
+    assert.throws(() => line.toPathD(hostile(stray)), refused);
+    await assert.rejects(initTrace(hostile(stray)), refused);
+    assert.throws(() => initSync(hostile(stray)), refused);
+  }
+  const exporting: string = "data:text/javascript,export const decimals = 3";
+  // A module that only exports what is asked for, options without a prototype, and those of another realm are options.
+  for (const fine of [(await import(exporting)) as object, Object.create(null), runInNewContext("({ decimals: 3 })")]) {
+    assert.match(line.toPathD(hostile(fine)).d, /^M/);
+  }
+});
+
+test("an address that gives nothing says why", () => {
+  const said = node(`
+    import init from "expline";
+    for (const wasmUrl of ["file:///nowhere/a.wasm", "nowhere/a.wasm", "https://nowhere.invalid/a.wasm"]) {
+      globalThis.fetch &&= wasmUrl.startsWith("https") ? () => Promise.resolve(new Response("", { status: 404 })) : globalThis.fetch;
+      await init({ wasmUrl }).catch(({ message }) => console.log(message));
+    }
+  `);
+  const [missing, relative, gone] = said.split("\n");
+  assert.match(missing ?? "", /^init: "file:\/\/\/nowhere\/a\.wasm" could not be read \(ENOENT: .*\); wasmUrl may say where it is \[E_INIT\]$/);
+  assert.match(relative ?? "", /could not be read \(.*URL.*\);/);
+  assert.match(gone ?? "", /could not be read \(HTTP 404\);/);
 });
 
 test("LC-026: a worker that is ended in the middle of its work harms nobody", async () => {

@@ -242,7 +242,7 @@ test("the slim entry, with esbuild, its wasm named by the page; by itself esbuil
   const title = await tab.title();
   await tab.close();
   await close();
-  assert.equal(title, `network init: "${new URL("expline_bg.wasm", url).href}" could not be read; wasmUrl may say where it is [E_INIT]`);
+  assert.equal(title, `network init: "${new URL("expline_bg.wasm", url).href}" could not be read (HTTP 404); wasmUrl may say where it is [E_INIT]`);
 });
 
 test("init streams the wasm from an address", async () => {

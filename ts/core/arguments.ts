@@ -142,6 +142,11 @@ export function word<W extends string>(op: string, arg: string, value: unknown, 
   return found;
 }
 
+/** What an object says it is, of whichever realm: "ArrayBuffer", "URL"; "Object" of a plain one. */
+export function classOf(value: unknown): string {
+  return {}.toString.call(value).slice(8, -1);
+}
+
 /**
  * The own properties of an options object, read once; a name that is not known is an error, and so is an object inside
  * that is missing.
@@ -154,10 +159,9 @@ export function options<K extends string>(
 ): { readonly [name in K]?: unknown } {
   const own = Object.create(null) as { [name in K]?: unknown };
   if (value === undefined && arg === "options") return own;
-  if (typeof value !== "object" || value === null || Array.isArray(value) || ArrayBuffer.isView(value)) {
-    throw wrong("E_TYPE", op, arg, value, "an object");
-  }
-  for (const name of Object.keys(value)) {
+  // A URL, a signal or a buffer in place of options has nothing of its own to be refused by.
+  if (!/^(Module|Object)$/.test(classOf(value))) throw wrong("E_TYPE", op, arg, value, "a plain object");
+  for (const name of Object.keys(value as object)) {
     const known = names.find((n) => n === name);
     if (known === undefined) {
       const inside = arg === "options" ? "" : `${arg}.`;

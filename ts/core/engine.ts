@@ -2,7 +2,7 @@
 import type { InitOutput } from "../../build/bindings/expline.js";
 import { version as builtVersion } from "../../build/bindings/version.js";
 import { wasmAddress, wasmBytes } from "../../build/bindings/wasm-bytes.js";
-import { options as checkOptions } from "./arguments.js";
+import { classOf, options as checkOptions } from "./arguments.js";
 import { ExplineError, wrong } from "./error.js";
 import type { Address, Bytes, CompiledModule } from "./host.js";
 
@@ -230,12 +230,12 @@ function adopt<K extends AnyKernel>(engine: Engine<K>, next: WebAssembly.Module)
 }
 
 function asModule(op: string, value: unknown): WebAssembly.Module {
-  if (!(value instanceof wasm(op).Module)) throw wrong("E_TYPE", op, "module", value, "WebAssembly.Module");
-  return value;
+  if (classOf(value) !== "WebAssembly.Module") throw wrong("E_TYPE", op, "module", value, "WebAssembly.Module");
+  return value as WebAssembly.Module;
 }
 
 function asBytes(op: string, value: unknown): BufferSource {
-  if (value instanceof ArrayBuffer || ArrayBuffer.isView(value)) return value as BufferSource;
+  if (classOf(value) === "ArrayBuffer" || ArrayBuffer.isView(value)) return value as BufferSource;
   throw wrong("E_TYPE", op, "bytes", value, "BufferSource");
 }
 
@@ -249,11 +249,13 @@ async function compiled(op: string, bytes: BufferSource): Promise<WebAssembly.Mo
 }
 
 async function fetched(op: string, url: unknown): Promise<WebAssembly.Module> {
-  if (typeof url !== "string" && !(url instanceof URL)) throw wrong("E_TYPE", op, "wasmUrl", url, "string or URL");
-  const bytes = await read(op, String(url));
+  // The URL of a test runner's page and that of Node are of different classes.
+  const address = (url as { readonly href?: unknown } | null)?.href ?? url;
+  if (typeof address !== "string") throw wrong("E_TYPE", op, "wasmUrl", url, "string or URL");
+  const bytes = await read(op, address);
   const magic = new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength));
   if (String.fromCharCode(...magic) !== "\0asm") {
-    throw initError(op, "mime", `what "${String(url).slice(0, 200)}" answers is not WebAssembly`);
+    throw initError(op, "mime", `what "${address.slice(0, 200)}" answers is not WebAssembly`);
   }
   return compiled(op, bytes);
 }
@@ -271,9 +273,9 @@ async function read(op: string, url: string): Promise<ArrayBuffer> {
       if (file !== undefined) return file.slice().buffer;
     }
     const answer = await fetch(url);
-    if (!answer.ok) throw new Error(`HTTP status ${answer.status}`);
+    if (!answer.ok) throw new Error(`HTTP ${answer.status}`);
     return await answer.arrayBuffer();
   } catch (cause) {
-    throw initError(op, "network", `"${url.slice(0, 200)}" could not be read; wasmUrl may say where it is`, cause);
+    throw initError(op, "network", `"${url.slice(0, 200)}" could not be read (${(cause as Error).message}); wasmUrl may say where it is`, cause);
   }
 }
