@@ -25,14 +25,23 @@ const nothingInside = (file, start) => `
 
 /**
  * What Node has instead: it reads the file when the engine is first asked for. Nothing waits, and nothing is parsed
- * that is not used. A test runner may have made CommonJS of the module: then it has no address, but a file name.
+ * that is not used.
+ *
+ * Tools that carry programs off with the files that they read look for calls and addresses written like these. Where a
+ * test runner has made CommonJS of the module, import.meta has nothing; where it says that the module comes from a
+ * server, its folder is still right.
  */
 const fileBeside = (file, start) => `
   import { ExplineError } from "./core/error.js";
-  export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url ?? process.getBuiltinModule("node:url").pathToFileURL(__filename));
+  const fileUrl = (path) => process.getBuiltinModule("node:url").pathToFileURL(path);
+  export const wasmAddress = () => {
+    if (import.meta.dirname !== undefined) return fileUrl(import.meta.dirname + "/${file}_bg.wasm");
+    return import.meta.url === undefined ? fileUrl(__dirname + "/${file}_bg.wasm") : new URL("${file}_bg.wasm", import.meta.url);
+  };
   export function wasmBytes(op) {
     try {
-      return process.getBuiltinModule("node:fs").readFileSync(wasmAddress());
+      const fs = process.getBuiltinModule("node:fs");
+      return import.meta.dirname === undefined ? fs.readFileSync(__dirname + "/${file}_bg.wasm") : fs.readFileSync(import.meta.dirname + "/${file}_bg.wasm");
     } catch (cause) {
       throw new ExplineError("E_NOT_READY", op, "${file}_bg.wasm does not lie beside the program; await ${start}({ bytes }) first", { cause });
     }
@@ -106,7 +115,18 @@ async function writeEdition(out, prefix) {
   writeFileSync(at("pkg", `${out}.js`), entry);
 }
 
-/** The whole interface in one file, for Node. */
+/** What `require` gets in Node. */
+const FOR_REQUIRE = `"use strict";
+// Whoever requires and whoever imports get the same, where that can be; test runners have a require that takes no ES
+// modules.
+try {
+  module.exports = require("./node.js");
+} catch {
+  module.exports = require("./node-commonjs.cjs");
+}
+`;
+
+/** The whole interface in one file, for Node: as an ES module, and for a `require` that takes none. */
 async function bundleNode() {
   const { build } = await import("esbuild");
   const setup = (bundler) =>
@@ -115,8 +135,11 @@ async function bundleNode() {
       return { contents: fileBeside(file, start), resolveDir: at("ts") };
     });
   // Node shows the line of an error that nobody catches: not all of the package.
-  const options = { bundle: true, platform: "node", format: "esm", target: "node20", minify: true, lineLimit: 120, legalComments: "none", logLevel: "error" };
-  await build({ entryPoints: [at("ts/index.ts")], outfile: at("pkg/node.js"), ...options, plugins: [{ name: "wasm-bytes", setup }] });
+  const options = { entryPoints: [at("ts/index.ts")], bundle: true, platform: "node", target: "node20", minify: true, lineLimit: 120, legalComments: "none", logLevel: "error" };
+  const plugins = [{ name: "wasm-bytes", setup }];
+  await build({ ...options, plugins, format: "esm", outfile: at("pkg/node.js") });
+  await build({ ...options, plugins, format: "cjs", outfile: at("pkg/node-commonjs.cjs"), define: { "import.meta.dirname": "undefined", "import.meta.url": "undefined" } });
+  writeFileSync(at("pkg/node.cjs"), FOR_REQUIRE);
 }
 
 /** The command line: one file beside the package's own modules. Gives back the names of the npm packages in it. */
@@ -133,7 +156,7 @@ async function bundleCommandLine() {
 /** All ES modules and the command line, in pkg/. */
 export async function buildFace() {
   const inputs = ["ts", "cli", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
-  const files = [...KINDS.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), ...OVER.flatMap((name) => [`${name}.js`, `slim-${name}.js`]), "expline.js", "slim.js", "node.js", "cli.js", "types/index.d.ts"];
+  const files = [...KINDS.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), ...OVER.flatMap((name) => [`${name}.js`, `slim-${name}.js`]), "expline.js", "slim.js", "node.js", "node.cjs", "node-commonjs.cjs", "cli.js", "types/index.d.ts"];
   const outputs = [...files.map((file) => `pkg/${file}`), "THIRD_PARTY_LICENSES"];
   await step("face", { inputs, outputs }, async () => {
     rmSync(at("pkg"), { recursive: true, force: true });

@@ -29,7 +29,7 @@ const WORK = `
 
 /** What a program says in Node where the wasm is inside the module, as bundlers and test runners of pages take it. */
 function node(code: string): string {
-  return execFileSync(process.execPath, ["--no-addons", "--input-type=module", "-e", code], { cwd: consumer, encoding: "utf8" });
+  return execFileSync(process.execPath, ["--conditions=module", "--input-type=module", "-e", code], { cwd: consumer, encoding: "utf8" });
 }
 
 test("where there is no TextEncoder, no TextDecoder and no MessageChannel, all works as it does elsewhere", () => {

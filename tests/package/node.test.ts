@@ -29,7 +29,10 @@ test("a circle is exact right after the import, with no await", () => {
   assert.ok(worst <= EXACT, `off by ${worst}`);
 });
 
-test("Node reads the wasm file only when it is needed; where it may load no addons, the wasm inside the module does", () => {
+/** What makes Node take the package as bundlers do, with the wasm inside. */
+const AS_BUNDLERS = "--conditions=module";
+
+test("Node reads the wasm file only when it is needed; bundlers take the wasm inside the module", () => {
   const code = `
     import { HermiteCurve, TensorSurface, fitSparse, traceImage } from "expline";
     const file = import.meta.resolve("expline").split("/").at(-1);
@@ -40,7 +43,7 @@ test("Node reads the wasm file only when it is needed; where it may load no addo
     console.log(JSON.stringify([file, worst <= ${EXACT}, surface, knots.length > 0, contours.length]));
   `;
   assert.equal(node(code).trim(), JSON.stringify(["node.js", true, 27, true, 1]));
-  assert.equal(node(code, "--no-addons").trim(), JSON.stringify(["expline.js", true, 27, true, 1]));
+  assert.equal(node(code, AS_BUNDLERS).trim(), JSON.stringify(["expline.js", true, 27, true, 1]));
 });
 
 test("the wasm inside the modules computes what the files beside them do, to the last bit, in every kind of work", () => {
@@ -62,7 +65,7 @@ test("the wasm inside the modules computes what the files beside them do, to the
   `;
   const beside = JSON.parse(node(code)) as readonly string[];
   assert.equal(new Set(beside).size, 14, "no two results are alike");
-  assert.deepEqual(JSON.parse(node(code, "--no-addons")), beside);
+  assert.deepEqual(JSON.parse(node(code, AS_BUNDLERS)), beside);
 });
 
 test("an error that nobody catches is shown with its name and a line of the package, not with all of it", () => {
@@ -74,9 +77,80 @@ test("an error that nobody catches is shown with its name and a line of the pack
   assert.ok(longest < 1000, `a line of ${longest} characters`);
 });
 
-test("a file of CommonJS gets the package by require", () => {
-  const said = execFileSync(process.execPath, ["--no-warnings", "-e", `const { HermiteCurve } = require("expline"); ${CIRCLE} console.log(worst)`], { cwd: consumer, encoding: "utf8" });
-  assert.ok(Number(said) <= EXACT, said);
+test("a file of CommonJS gets the package by require, the same that others import", () => {
+  const code = `
+    const { HermiteCurve } = require("expline");
+    const { movePoint } = require("expline/edit");
+    ${CIRCLE}
+    import("expline").then((all) => console.log(JSON.stringify([worst <= ${EXACT}, all.HermiteCurve === HermiteCurve, all.movePoint === movePoint])));
+  `;
+  const { stdout, stderr } = spawnSync(process.execPath, ["-e", code], { cwd: consumer, encoding: "utf8" });
+  assert.deepEqual(JSON.parse(stdout), [true, true, true]);
+  assert.equal(stderr, "", "no warning of Node's");
+});
+
+test("a require that takes no ES modules, as Jest has one, gets the whole package, too", () => {
+  const code = `
+    const { HermiteCurve, default: init, traceImage, version } = require("expline");
+    const { movePoint } = require("expline/edit");
+    ${CIRCLE}
+    movePoint(curve, 0, 5, 0);
+    const { contours } = traceImage({ width: 4, height: 4, data: new Uint8Array(16) });
+    init().then(() => console.log(JSON.stringify([worst <= ${EXACT}, contours.length, version])));
+  `;
+  const said = execFileSync(process.execPath, ["--no-experimental-require-module", "-e", code], { cwd: consumer, encoding: "utf8" });
+  const { version } = JSON.parse(readFileSync(join(consumer, "node_modules", "expline", "package.json"), "utf8")) as { version: string };
+  assert.deepEqual(JSON.parse(said), [true, 1, version]);
+});
+
+interface Targets {
+  readonly [condition: string]: string | Targets;
+}
+
+/** The file that is taken of a package's exports by who knows these conditions. */
+function taken(target: string | Targets, conditions: readonly string[]): string {
+  if (typeof target === "string") return target;
+  const found = Object.keys(target).find((name) => name === "default" || conditions.includes(name));
+  return taken((found && target[found]) ?? assert.fail("nothing is taken"), conditions);
+}
+
+test("tools that know no exports find the package that bundlers have, and bundlers for Node the wasm inside", () => {
+  const { main, exports } = JSON.parse(readFileSync(join(consumer, "node_modules", "expline", "package.json"), "utf8")) as { main: string; exports: Record<string, Targets> };
+  const all = exports["."] ?? {};
+  const pages = ["import", "module", "browser"];
+  const inNode = ["node", "import", "module", "module-sync", "require"];
+  assert.deepEqual([taken(all, pages), taken(all, inNode), taken(all, ["browser", "require"]), taken(all, ["deno", "node", "import"])], Array(4).fill(main));
+});
+
+test("a program that is carried off with what its tools find of the package runs: they know the condition node, and calls that read files", () => {
+  const installed = join(consumer, "node_modules", "expline");
+  const { exports } = JSON.parse(readFileSync(join(installed, "package.json"), "utf8")) as { exports: Record<string, Targets> };
+  for (const way of ["import", "require"]) {
+    const folder = join(consumer, `traced-${way}`);
+    const there = join(folder, "node_modules", "expline");
+    mkdirSync(join(there, "pkg"), { recursive: true });
+    copyFileSync(join(installed, "package.json"), join(there, "package.json"));
+    const files = [taken(exports["."] ?? {}, ["node", way])];
+    for (const file of files) {
+      copyFileSync(join(installed, file), join(there, file));
+      if (file.endsWith(".wasm")) continue;
+      const code = readFileSync(join(installed, file), "utf8").replace(/\\?\n/g, "");
+      const found = [...code.matchAll(/(?:readFileSync\((?:__dirname|import\.meta\.dirname)\+|require\()"\.?\/([\w.-]+)"\)/g)].map(([, name]) => `./pkg/${name ?? ""}`);
+      for (const [, name] of way === "import" ? code.matchAll(/readFileSync\(import\.meta\.dirname\+"\/([\w.-]+)"/g) : []) {
+        assert.ok(code.includes(`new URL("${name ?? ""}",import.meta.url)`), "tools that look for addresses find it, too");
+      }
+      files.push(...new Set(found.filter((name) => !files.includes(name))));
+    }
+    const program = `${way === "import" ? 'import { HermiteCurve, TensorSurface, fitSparse, traceImage } from "expline"' : 'const { HermiteCurve, TensorSurface, fitSparse, traceImage } = require("expline")'};
+      ${CIRCLE}
+      const { knots } = fitSparse([0, 0, 4, 0, 4, 4, 0, 4]);
+      const { contours } = traceImage({ width: 4, height: 4, data: new Uint8Array(16) });
+      console.log(JSON.stringify([worst <= ${EXACT}, TensorSurface.sphere(1).mesh(3, 3).positions.length, knots.length > 0, contours.length]));
+    `;
+    const file = join(folder, way === "import" ? "program.mjs" : "program.cjs");
+    writeFileSync(file, program);
+    assert.equal(execFileSync(process.execPath, [file], { encoding: "utf8" }).trim(), JSON.stringify([true, 27, true, 1]), way);
+  }
 });
 
 test("made CommonJS by a test runner's transform, the module finds its wasm file all the same", async () => {
@@ -226,7 +300,7 @@ test("the declarations hold for a strict project, with every kind of module reso
 });
 
 test("nothing in the tarball names the folder that it was built in", () => {
-  for (const file of ["pkg/core.js", "pkg/spline.js", "pkg/expline_spline_bg.wasm", "pkg/surface.js", "pkg/expline_surface_bg.wasm", "pkg/fit.js", "pkg/cli.js", "pkg/node.js", "pkg/expline_bg.wasm", "pkg/expline_fit_bg.wasm", "THIRD_PARTY_LICENSES"]) {
+  for (const file of ["pkg/core.js", "pkg/spline.js", "pkg/expline_spline_bg.wasm", "pkg/surface.js", "pkg/expline_surface_bg.wasm", "pkg/fit.js", "pkg/cli.js", "pkg/node.js", "pkg/node-commonjs.cjs", "pkg/expline_bg.wasm", "pkg/expline_fit_bg.wasm", "THIRD_PARTY_LICENSES"]) {
     const text = readFileSync(join(consumer, "node_modules", "expline", file), "latin1");
     assert.ok(!text.includes(process.cwd()), `${file} names ${process.cwd()}`);
     assert.ok(!/\/(home|root|Users)\//.test(text), `${file} names a home folder`);
