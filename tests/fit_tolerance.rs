@@ -228,8 +228,8 @@ fn a_tolerance_is_kept_where_corners_may_not_be_or_not_slight_ones() {
                     assert_eq!(fitted.status, FitStatus::Converged, "{what}: {}", fitted.max_error);
                     let far = searched(&fitted, &points);
                     assert!(far <= tolerance && fitted.max_error <= tolerance, "{what}: {far}");
-                    // Tangents of pieces as short as a tolerance are differences of coordinates near 300: of the rest of 1e-6
-                    // there are ten digits.
+                    // Tangents of pieces as short as a tolerance are differences of coordinates near 300: of the rest
+                    // of 1e-6 there are ten digits.
                     let turned = |turn: &f64| *turn < 1e-6 || corners && *turn > LEAST - 1e-6;
                     assert!(turns(&fitted).all(|turn| turned(&turn)), "{what}: a slight corner");
                 }
@@ -279,8 +279,8 @@ fn spiral(count: usize, seed: u64) -> Vec<Point> {
 
 #[test]
 fn narrow_turns_get_their_knots_where_points_are_close() {
-    // Where a knot needed as much of the way as points are apart on average no tolerance was kept, and the answer had 60 to 110
-    // pieces: all but a polyline. Six turns take about three pieces each.
+    // Where a knot needed as much of the way as points are apart on average no tolerance was kept, and the answer had
+    // 60 to 110 pieces: all but a polyline. Six turns take about three pieces each.
     for (count, tolerance) in [(100, 3.0), (120, 1.5), (120, 2.0), (150, 1.5), (150, 5.0), (200, 1.5)] {
         for seed in 1..=3 {
             let options = Options { closed: Some(false), ..Options::default() };

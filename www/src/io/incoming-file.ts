@@ -17,7 +17,10 @@ const pictureTypes: ReadonlySet<string> = new Set(["png", "jpg", "jpeg", "webp",
 /** Of them, what few browsers have a decoder for. */
 const rareTypes: ReadonlySet<string> = new Set(["tif", "tiff", "heic", "heif"]);
 
-/** What is in a gzipped file, as `.svgz` is, under its name; any other as it is. @throws Problem where it is broken, or too much. */
+/**
+ * What is in a gzipped file, as `.svgz` is, under its name; any other as it is. @throws Problem where it is broken, or
+ * too much.
+ */
 async function unpacked(file: File): Promise<File> {
   const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
   if (first !== 0x1f || second !== 0x8b) return file;

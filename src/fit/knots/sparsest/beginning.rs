@@ -116,7 +116,8 @@ impl Sparsest {
         Ok(Some(search))
     }
 
-    /// Knots at the corners of a polyline through some of the points, if that is enough of them: within a tolerance a line is.
+    /// Knots at the corners of a polyline through some of the points, if that is enough of them: within a tolerance a
+    /// line is.
     #[inline(never)]
     pub(super) fn corners_at(&self, vertices: &[usize]) -> Result<Option<Breaks>> {
         let breaks = polyline::corners(vertices, &self.view.full, self.fitted.breaks())?;

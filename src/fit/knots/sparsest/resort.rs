@@ -42,8 +42,9 @@ pub(in crate::fit) enum Resorted {
 }
 
 impl Sparsest {
-    /// Looks for the polyline of the fewest vertices where [`Self::lacking`] tells that one is wanted, rounded off where
-    /// corners may not be. A round of it. O(M) in all but for points that are many times denser than the tolerance.
+    /// Looks for the polyline of the fewest vertices where [`Self::lacking`] tells that one is wanted, rounded off
+    /// where corners may not be. A round of it. O(M) in all but for points that are many times denser than the
+    /// tolerance.
     ///
     /// # Errors
     ///
@@ -82,7 +83,8 @@ impl Sparsest {
         Ok(Resorted::Underway)
     }
 
-    /// Within what a polyline is wanted: what is missed, or a tolerance that was kept with hardly fewer knots than points.
+    /// Within what a polyline is wanted: what is missed, or a tolerance that was kept with hardly fewer knots than
+    /// points.
     pub(in crate::fit) fn lacking(&self) -> Option<f64> {
         self.missed().or_else(|| match (self.asked.aim, &self.found) {
             (Aim::Tolerance(tolerance), Some(found)) => {

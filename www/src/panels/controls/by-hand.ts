@@ -1,7 +1,10 @@
 import { openDialog } from "./dialog.ts";
 import { h } from "./dom.ts";
 
-/** Where the browser keeps the clipboard to itself, what was to be copied is there to be copied by hand, with the keys that copy. */
+/**
+ * Where the browser keeps the clipboard to itself, what was to be copied is there to be copied by hand, with the keys
+ * that copy.
+ */
 export function offerByHand(text: string, keys: string): void {
   const field = h("textarea", { class: "code-field", testid: "by-hand", rows: 6, readonly: true, spellcheck: "false", "aria-label": "What to copy" });
   field.value = text;
