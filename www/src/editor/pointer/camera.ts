@@ -83,7 +83,7 @@ export function fitted(box: Box, stage: StageBox, most = Infinity, share = 0.1):
   // two lines of hint over the tools are below. Larger text is higher, and has more lines.
   const { height, text = 1 } = stage;
   const [least, lines] = stage.width < 600 ? [64, 112] : [48, 60];
-  const above = Math.max(margin, Math.min(least * Math.sqrt(text), height * (0.45 - 0.1 * text)));
+  const above = Math.max(margin, Math.min(least * text ** 0.5, height * (0.45 - 0.1 * text)));
   const below = Math.max(margin, Math.min(lines * text ** 1.5, height * (0.25 + 0.1 * text)));
   const wide = Math.max(1, stage.width - 2 * margin) / Math.max(1e-9, box.maxX - box.minX);
   const high = Math.max(1, height - above - below) / Math.max(1e-9, box.maxY - box.minY);
