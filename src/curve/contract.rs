@@ -15,7 +15,9 @@ use super::measures::tolerance::check_tolerance;
 use super::pieces::Pieces;
 use super::spline_curve::{Generator, SplineCurve};
 use crate::error::Result;
+use crate::limits::{MOST_OUTPUT_POINTS, filled, too_many, with_room};
 use crate::numerics::Point;
+use crate::numerics::lists::steps;
 
 /// What can be asked of a curve of any kind, with one implementation for all of them.
 ///
@@ -37,6 +39,62 @@ pub trait Curve: Pieces {
     /// The curve as its pieces.
     #[doc(hidden)]
     fn as_pieces(&self) -> &dyn Pieces;
+
+    /// The points or their derivatives at every parameter, all coordinates in turn, into `out`.
+    ///
+    /// # Errors
+    ///
+    /// A parameter that is not finite or, on an open curve, outside the domain; a derivative above the second (of
+    /// spline curves above n₀ − 1 and the second); more than 4 million parameters; `out` of another length than
+    /// [`Curve::dimension`] times that of `t`. `out` is untouched then.
+    fn evaluate_into(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()> {
+        self.values(t, derivative, out)
+    }
+
+    /// The point at t, or a derivative, one number for each coordinate; at a knot the limit from the right.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Curve::evaluate_into`].
+    fn evaluate(&self, t: f64, derivative: usize) -> Result<Vec<f64>> {
+        let mut point = vec![0.0; self.dimension()];
+        self.values(&[t], derivative, &mut point)?;
+        Ok(point)
+    }
+
+    /// `count` points that lie uniformly in the parameter, all coordinates in turn: at i/count of the domain of a closed
+    /// curve, at i/(count − 1) of an open one. Each kind of curve has a `sample` of its own, which is quicker.
+    ///
+    /// # Errors
+    ///
+    /// More than 4 million points.
+    fn sample(&self, count: usize) -> Result<Vec<f64>> {
+        if count > MOST_OUTPUT_POINTS {
+            return Err(too_many("count", "maxOutputPoints", MOST_OUTPUT_POINTS, count));
+        }
+        let (start, end) = self.domain();
+        let steps = steps(count, self.closed()) as f64;
+        let mut parameters = with_room(count)?;
+        parameters.extend((0..count).map(|i| (start + (end - start) * (i as f64 / steps)).min(end)));
+        let mut points = filled(0.0, count * self.dimension())?;
+        self.values(&parameters, 0, &mut points)?;
+        Ok(points)
+    }
+
+    /// First and last parameter. A closed curve takes any other as well, and begins anew there.
+    fn domain(&self) -> (f64, f64) {
+        (self.knot(0), self.knot(self.piece_count()))
+    }
+
+    /// Whether the end is joined to the start.
+    fn is_closed(&self) -> bool {
+        self.closed()
+    }
+
+    /// How many coordinates a point has: 2 or 3.
+    fn dimension(&self) -> usize {
+        self.coordinate_count()
+    }
 
     /// The length of the curve.
     ///

@@ -28,7 +28,7 @@ use crate::numerics::plane::enlarge;
 use crate::numerics::{Point, Vector};
 
 /// Which side of a control point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Side {
     /// The derivative that arrives at the point.
     In,
@@ -39,7 +39,7 @@ pub enum Side {
 }
 
 /// What a [`HermiteCurve`] is made from.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct HermiteOptions {
     /// Points on the curve.
     pub points: Vec<Point>,

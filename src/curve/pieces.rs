@@ -15,7 +15,7 @@ use crate::numerics::{Point, Vector};
 /// Derivatives here are by a piece's own x, from 0 to 1.
 pub trait Pieces {
     /// 2 or 3.
-    fn dimension(&self) -> usize;
+    fn coordinate_count(&self) -> usize;
 
     /// Whether the end is joined to the start.
     fn closed(&self) -> bool;
@@ -86,7 +86,7 @@ pub trait Pieces {
 /// Whether a curve is in space; Hermite curves are not.
 #[inline(always)]
 pub(crate) fn in_space(curve: &dyn Pieces) -> bool {
-    ANY_ROOTS && curve.dimension() == 3
+    ANY_ROOTS && curve.coordinate_count() == 3
 }
 
 /// The curve itself where it is a Hermite curve.
@@ -114,7 +114,7 @@ pub(super) fn space_start(curve: &dyn Pieces, i: usize) -> Result<Triple> {
 }
 
 impl Pieces for HermiteCurve {
-    fn dimension(&self) -> usize {
+    fn coordinate_count(&self) -> usize {
         2
     }
 
@@ -163,7 +163,7 @@ impl Pieces for HermiteCurve {
 }
 
 impl<G: Generator> Pieces for SplineCurve<G> {
-    fn dimension(&self) -> usize {
+    fn coordinate_count(&self) -> usize {
         self.lattice.dimension
     }
 

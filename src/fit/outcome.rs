@@ -9,7 +9,7 @@ use crate::numerics::plane::larger;
 use crate::numerics::{Point, Vector};
 
 /// How a run ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FitStatus {
     /// It is going on; the curve is the best so far.
     Running,
@@ -36,7 +36,7 @@ pub struct Knot {
 }
 
 /// One spline of the sum that was fitted.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// Its degree.
     pub degree: usize,
@@ -60,7 +60,7 @@ pub struct Changed {
 }
 
 /// A fitted curve and what is known of it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
     /// The curve: exactly the spline for degrees up to 3; splines of degree 4 and 5 are cut into cubics, up to 64 a
     /// piece, until they are within 1e-9 of the drawing's size.

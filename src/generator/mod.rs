@@ -48,7 +48,7 @@ pub(crate) use roots::too_fast;
 pub use weights::Weights;
 
 /// The space that a Hermite exponential spline is piecewise in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Space {
     /// 1, t, cos ωt, sin ωt: ellipses, sine waves and cycloids are exact.
     Trigonometric,

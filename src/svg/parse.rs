@@ -16,7 +16,7 @@ pub const MOST_SUBPATHS: usize = 100_000;
 pub const MOST_PATH_POINTS: usize = 2_000_000;
 
 /// What [`parse_path`] read.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParsedPath {
     /// One curve for every subpath that draws something.
     pub curves: Vec<HermiteCurve>,

@@ -27,7 +27,7 @@ const ELLIPTIC: f64 = 1e-8;
 const FAR: f64 = 1.0;
 
 /// How [`to_path_d`] writes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrintOptions {
     /// The largest distance between the curve and what the text draws; below 1e-9 of the extent, or 1e-15 of the
     /// largest coordinate, it is raised to that.

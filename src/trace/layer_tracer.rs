@@ -11,7 +11,7 @@ use super::work::{Progress, Stage, TracedContour};
 use crate::error::{Error, Result};
 
 /// One layer.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct TracedLayer {
     /// Its colour.
     pub color: Color,

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::limits::check;
 
 /// What is followed in a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Source {
     /// The outlines of ink.
     Brightness,
@@ -15,7 +15,7 @@ pub enum Source {
 }
 
 /// Which spline follows a contour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Model {
     /// As few lines, arcs and cubics as there may be.
     Sparse,

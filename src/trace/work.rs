@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::numerics::Point;
 
 /// What is being done.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Stage {
     /// The picture is looked at: tones, noise, edges.
     Edges,
@@ -35,7 +35,7 @@ pub struct Progress {
 }
 
 /// One curve.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct TracedContour {
     /// The curve; closed outlines of ink have a positive area, holes a negative one.
     pub curve: HermiteCurve,
@@ -50,7 +50,7 @@ pub struct TracedContour {
 }
 
 /// What was found in a picture.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Trace {
     /// All curves; outlines of ink in the order of their first points, row by row.
     pub contours: Vec<TracedContour>,
@@ -61,8 +61,8 @@ pub struct Trace {
     pub residual: f64,
 }
 
-/// Work that is done bit by bit. Every source is one.
-pub(super) trait Work {
+/// Work that is done bit by bit, in whatever thread. Every source is one.
+pub(super) trait Work: Send + Sync {
     /// Does a bit, of a millisecond or so; how long it took, in about microseconds.
     fn step(&mut self) -> Result<f64>;
 

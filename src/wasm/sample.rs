@@ -15,7 +15,7 @@ pub fn evaluate_one(slot: u32, t: f64, derivative: u32) -> i32 {
     run(&mut |kernel| {
         let curve = kernel.pieces(slot)?;
         let mut value = [0.0; 3];
-        let dimension = curve.dimension();
+        let dimension = curve.coordinate_count();
         curve.values(&[t], derivative as usize, &mut value[..dimension])?;
         kernel.record(value);
         Ok(dimension)
@@ -26,7 +26,7 @@ pub fn evaluate_one(slot: u32, t: f64, derivative: u32) -> i32 {
 #[wasm_bindgen]
 pub fn evaluate_many(slot: u32, count: u32, derivative: u32) -> i32 {
     run(&mut |kernel| {
-        let numbers = times(count, kernel.pieces(slot)?.dimension());
+        let numbers = times(count, kernel.pieces(slot)?.coordinate_count());
         grow(&mut kernel.output, numbers, 0.0)?;
         let (curve, given, output) = kernel.parts(slot, count as usize)?;
         curve.pieces().values(given, derivative as usize, &mut output[..numbers])?;
@@ -40,7 +40,7 @@ pub fn evaluate_many(slot: u32, count: u32, derivative: u32) -> i32 {
 pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> i32 {
     run(&mut |kernel| {
         let (count, first) = (count as usize, first as usize);
-        let dimension = kernel.pieces(slot)?.dimension();
+        let dimension = kernel.pieces(slot)?.coordinate_count();
         let numbers = times(length, if tangents == 0 { dimension } else { 2 * dimension });
         grow(&mut kernel.output, numbers, 0.0)?;
         let made = match kernel.any(slot)? {

@@ -127,7 +127,7 @@ fn give_spline(kernel: &mut Kernel, curve: &AnyCurve) -> Result<usize> {
     let counts = [
         kind as usize,
         points.len(),
-        pieces.dimension(),
+        pieces.coordinate_count(),
         usize::from(pieces.closed()),
         roots.order(),
         patches,

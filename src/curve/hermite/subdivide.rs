@@ -9,7 +9,7 @@ use crate::numerics::plane::append;
 use crate::numerics::{Point, Vector};
 
 /// Which subdivision scheme.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Scheme {
     /// The interpolating vector scheme: the polygon's points are points of the curve.
     Hermite,

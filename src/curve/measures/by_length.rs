@@ -105,7 +105,7 @@ impl LengthTable {
 
     /// [`Self::points`] of the curve that was measured.
     pub(crate) fn points_of(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
-        self.along(curve, count, curve.dimension(), &mut |piece, _, places, out| match piece {
+        self.along(curve, count, curve.coordinate_count(), &mut |piece, _, places, out| match piece {
             AnyPiece::Plane(piece) => piece.positions(places, out),
             AnyPiece::Space(piece) => {
                 for (point, &y) in out.chunks_exact_mut(3).zip(places) {

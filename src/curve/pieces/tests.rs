@@ -27,7 +27,7 @@ impl Expanded {
 }
 
 impl Pieces for Expanded {
-    fn dimension(&self) -> usize {
+    fn coordinate_count(&self) -> usize {
         if self.lifted { 3 } else { 2 }
     }
 
@@ -59,7 +59,7 @@ impl Pieces for Expanded {
     }
 
     fn values(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()> {
-        for (&t, out) in t.iter().zip(out.chunks_exact_mut(self.dimension())) {
+        for (&t, out) in t.iter().zip(out.chunks_exact_mut(self.coordinate_count())) {
             out.copy_from_slice(&self.lift(self.curve.evaluate(t, derivative)?));
         }
         Ok(())

@@ -73,7 +73,7 @@ impl LocalCurve {
 }
 
 impl Pieces for LocalCurve {
-    fn dimension(&self) -> usize {
+    fn coordinate_count(&self) -> usize {
         self.base.dimension()
     }
 

@@ -6,7 +6,7 @@ use crate::limits;
 use crate::numerics::Vector;
 
 /// How the size of a jump is measured.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Norm {
     /// Its length: rotating the points rotates the curve.
     #[default]

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::numerics::Vector;
 
 /// Where a run stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Status {
     /// There is more to do.
     Running,
