@@ -25,9 +25,11 @@ const COMMANDS: Readonly<Record<string, (words: readonly string[]) => string>> =
 
 function run([command, ...words]: readonly string[]): string {
   switch (command) {
+    case "help":
+      if (words[0] !== undefined) return run([words[0], "--help"]);
+      return HELP;
     case "--help":
     case "-h":
-    case "help":
       return HELP;
     case "--version":
       return `${version}\n`;

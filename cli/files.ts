@@ -1,10 +1,10 @@
 /** Where input comes from and output goes. */
-import { mkdirSync, readFileSync, readSync, statSync, writeFileSync, writeSync } from "node:fs";
+import { closeSync, mkdirSync, openSync, readSync, statSync, writeFileSync, writeSync } from "node:fs";
 
 import { Failure, INPUT, USAGE } from "./failure.ts";
 
 /** What a file is called in messages. */
-export const sourceName = (file: string): string => (file === "-" ? "standard input" : file);
+export const sourceName = (file: string): string => (file === "-" ? "standard input" : file || '""');
 
 const codeOf = (error: unknown): string => (error as { code?: string }).code ?? "unknown";
 
@@ -27,7 +27,7 @@ const OBSTACLES: Readonly<Record<string, string>> = {
 
 function unwritable(file: string, error: unknown): Failure {
   const code = codeOf(error);
-  return new Failure(INPUT, `${file}: it cannot be written (${OBSTACLES[code] ?? code})`);
+  return new Failure(INPUT, `${file || '""'}: it cannot be written (${OBSTACLES[code] ?? code})`);
 }
 
 /** Asks again for as long as the other end of a pipe is not ready, and lets it have the processor meanwhile. */
@@ -44,23 +44,31 @@ function patiently(call: () => number): number {
   }
 }
 
-/** All of standard input, however slowly the other end writes. */
-function standardInput(): Uint8Array {
+/** All that there is to read, however slowly the other end writes. Some files never end. */
+function readAll(from: number, file: string, megabytes: number): Uint8Array {
   const parts: Uint8Array[] = [];
-  for (;;) {
-    const part = new Uint8Array(1 << 16);
-    const length = patiently(() => readSync(0, part));
+  for (let size = 0; ; ) {
+    const part = new Uint8Array(1 << 18);
+    const length = patiently(() => readSync(from, part));
     if (length === 0) return Buffer.concat(parts);
-    parts.push(part.subarray(0, length));
+    parts.push(part.slice(0, length));
+    size += length;
+    if (size > megabytes * 1e6) throw new Failure(INPUT, `${sourceName(file)}: it is larger than ${megabytes} MB`);
   }
 }
 
-/** The bytes of a file, or of standard input for `-`. */
-export function readBytes(file: string): Uint8Array {
+/** The bytes of a file, or of standard input for `-`; more than so many megabytes could not be worked on. */
+export function readBytes(file: string, megabytes: number): Uint8Array {
   try {
-    return file === "-" ? standardInput() : readFileSync(file);
+    if (file === "-") return readAll(0, file, megabytes);
+    const from = openSync(file, "r");
+    try {
+      return readAll(from, file, megabytes);
+    } finally {
+      closeSync(from);
+    }
   } catch (error) {
-    throw unreadable(file, error);
+    throw error instanceof Failure ? error : unreadable(file, error);
   }
 }
 

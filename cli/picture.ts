@@ -36,9 +36,12 @@ const BEGINNINGS: readonly (readonly [kind: string, beginning: RegExp])[] = [
   ["SVG", /^(?:\xef\xbb\xbf)?\s*<(?:svg|\?xml)/],
 ];
 
+/** The most pixels of a picture, at four numbers of two bytes each, are little more. */
+const MOST_MEGABYTES = 500;
+
 /** The picture in a file, or in standard input for `-`. */
 export function readPicture(file: string): Picture {
-  const bytes = readBytes(file);
+  const bytes = readBytes(file, MOST_MEGABYTES);
   const name = sourceName(file);
   if (bytes.length === 0) throw new Failure(INPUT, `${name}: it is empty`);
   const kind = kindOf(bytes);

@@ -12,13 +12,15 @@ export interface Stroke {
 }
 
 const LARGEST = 1e9;
+/** A contour has half a million points at most. */
+const MOST_MEGABYTES = 64;
 
 /**
  * The text of a file, or of standard input for `-`: in UTF-8, or in UTF-16 where its first bytes say so, as what
  * Windows PowerShell writes with `>`.
  */
 export function readText(file: string): string {
-  const bytes = readBytes(file);
+  const bytes = readBytes(file, MOST_MEGABYTES);
   const [first, second] = bytes;
   const encoding = first === 0xff && second === 0xfe ? "utf-16le" : first === 0xfe && second === 0xff ? "utf-16be" : "utf-8";
   return new TextDecoder(encoding).decode(bytes);
@@ -39,7 +41,7 @@ export function readPoints(text: string, file: string): Stroke[] {
       return;
     }
     // Between semicolons a comma belongs to a number as some countries write it; it is not read as two.
-    const cells = row.split(row.includes(";") ? /\s*[;\t]\s*|\s+/u : /\s*[,\t]\s*|\s+/u);
+    const cells = row.split(row.includes(";") ? /\s*[;\t]\s*|\s+/u : /\s*[,\t]\s*|\s+/u).map(unquoted);
     const first = heading;
     heading = false;
     if (first && cells.every((cell) => !/\d/u.test(cell[0] ?? "") && (cell === "" || Number.isNaN(Number(cell))))) return;
@@ -51,6 +53,9 @@ export function readPoints(text: string, file: string): Stroke[] {
   });
   return strokes.map(({ numbers, row }) => stroke(numbers, row));
 }
+
+/** A cell as it was before some program put it in quotation marks. */
+const unquoted = (cell: string): string => /^"(.*)"$/u.exec(cell)?.[1]?.trim() ?? cell;
 
 function coordinate(cell: string, place: string): number {
   const value = cell === "" ? Number.NaN : Number(cell);

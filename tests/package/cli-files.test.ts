@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { execFileSync, spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
-import { closeSync, constants, existsSync, linkSync, mkdirSync, openSync, readFileSync, rmSync, symlinkSync, writeFileSync, writeSync } from "node:fs";
+import { closeSync, constants, existsSync, linkSync, mkdirSync, openSync, readFileSync, rmSync, symlinkSync, truncateSync, writeFileSync, writeSync } from "node:fs";
 import { before, test } from "node:test";
 import { text } from "node:stream/consumers";
 import { setTimeout as wait } from "node:timers/promises";
@@ -98,6 +98,17 @@ test("a disk that is full is said to be, on standard output as in a file", () =>
   assert.deepEqual([status, stderr], [1, "expline: standard output: it cannot be written (no space is left)\n"]);
   const named = expline(["fit", "own.csv", "-o", "/dev/full"]);
   assert.deepEqual([named.status, named.error], [1, "expline: /dev/full: it cannot be written (no space is left)\n"]);
+});
+
+test("a file that never ends, or is larger than any list of points, is refused in the end", () => {
+  const endless = expline(["fit", "/dev/zero"]);
+  assert.deepEqual([endless.status, endless.error], [1, "expline: /dev/zero: it is larger than 64 MB\n"]);
+  file("large.csv", "");
+  truncateSync(join(folder, "large.csv"), 3 * 2 ** 30);
+  const large = expline(["fit", "large.csv"]);
+  assert.deepEqual([large.status, large.error], [1, "expline: large.csv: it is larger than 64 MB\n"]);
+  const picture = expline(["trace", "large.csv"]);
+  assert.deepEqual([picture.status, picture.error], [1, "expline: large.csv: it is larger than 500 MB\n"]);
 });
 
 test("of several pictures that cannot be read, each is named with its reason, up to eight of them", () => {

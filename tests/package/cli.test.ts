@@ -95,6 +95,13 @@ test("a separator at the end of a row is no third number", () => {
   assert.equal(out, expline(["fit", "-", "--tolerance", "0.5", "--format", "path"], SQUARE).out);
 });
 
+test("numbers in quotation marks, as spreadsheets and data frames write them, are numbers", () => {
+  const quoted = `"x","y"\n${SQUARE.replace(/[^,\n]+/g, '"$&"')}`;
+  const { status, out } = expline(["fit", "-", "--tolerance", "0.5", "--format", "path"], quoted);
+  assert.equal(status, 0);
+  assert.equal(out, expline(["fit", "-", "--tolerance", "0.5", "--format", "path"], SQUARE).out);
+});
+
 test("flat colours become layers", () => {
   const { status, out } = expline(["trace", "square.png", "--colors", "#fff,#000"]);
   assert.equal(status, 0);
@@ -164,11 +171,17 @@ test("help and version", () => {
   assert.match(fit.out, /--tolerance D/);
   assert.match(version.out, /^\d+\.\d+\.\d+\n$/);
   assert.deepEqual([help.status, fit.status, version.status], [0, 0, 0]);
+  assert.deepEqual(expline(["help", "fit"]), fit, "either order will do");
+  assert.deepEqual(expline(["help"]), help);
 });
 
 for (const [what, parameters, status, words, input] of [
   ["no command", [], 2, /a command is missing/],
   ["a command that there is not", ["trance"], 2, /no command "trance"/],
+  ["help on a command that there is not", ["help", "trance"], 2, /no command "trance"/],
+  ["a name that is empty", ["fit", ""], 1, /"": there is no such file/],
+  ["a result without a name", ["fit", "square.csv", "-o", ""], 1, /"": it cannot be written/],
+  ["words in quotation marks", ["fit", "-"], 1, /standard input:2: "abc" is not a number/, '"1","2"\n"abc","3"\n'],
   ["no file", ["fit"], 2, /needs a file/],
   ["an option that there is not", ["fit", "square.csv", "--tolerence", "1"], 2, /no option --tolerence/],
   ["an option without its value", ["fit", "square.csv", "--tolerance"], 2, /--tolerance needs a value/],
