@@ -29,7 +29,8 @@ const nothingInside = (file, start) => `
  *
  * Tools that carry programs off with the files that they read look for calls and addresses written like these. Where a
  * test runner has made CommonJS of the module, import.meta has nothing; where it says that the module comes from a
- * server, its folder is still right.
+ * server, its folder is still right. A bundler that does not know the file leaves it behind; where the package is
+ * still installed, above the bundle, it is found there.
  */
 const fileBeside = (file, start) => `
   import { ExplineError } from "./core/error.js";
@@ -38,12 +39,17 @@ const fileBeside = (file, start) => `
     if (import.meta.dirname !== undefined) return fileUrl(import.meta.dirname + "/${file}_bg.wasm");
     return import.meta.url === undefined ? fileUrl(__dirname + "/${file}_bg.wasm") : new URL("${file}_bg.wasm", import.meta.url);
   };
+  const installed = () => process.getBuiltinModule("node:module").createRequire((import.meta.dirname ?? __dirname) + "/").resolve("expline/${file}_bg.wasm");
   export function wasmBytes(op) {
+    const fs = process.getBuiltinModule("node:fs");
     try {
-      const fs = process.getBuiltinModule("node:fs");
       return import.meta.dirname === undefined ? fs.readFileSync(__dirname + "/${file}_bg.wasm") : fs.readFileSync(import.meta.dirname + "/${file}_bg.wasm");
     } catch (cause) {
-      throw new ExplineError("E_NOT_READY", op, "${file}_bg.wasm does not lie beside the program; await ${start}({ bytes }) first", { cause });
+      try {
+        return fs.readFileSync(installed());
+      } catch {
+        throw new ExplineError("E_NOT_READY", op, "${file}_bg.wasm does not lie beside the program; await ${start}({ bytes }) first", { cause });
+      }
     }
   }
   export const besideCore = undefined;
@@ -153,14 +159,21 @@ async function bundleCommandLine() {
   return [...new Set(names)].sort();
 }
 
+/** The declarations for files that are CommonJS: compilers refuse those of ES modules there, though `require` works. */
+function declareForRequire() {
+  cpSync(at("pkg/types"), at("pkg/types-cjs"), { recursive: true });
+  writeFileSync(at("pkg/types-cjs/package.json"), `${JSON.stringify({ type: "commonjs" })}\n`);
+}
+
 /** All ES modules and the command line, in pkg/. */
 export async function buildFace() {
   const inputs = ["ts", "cli", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
-  const files = [...KINDS.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), ...OVER.flatMap((name) => [`${name}.js`, `slim-${name}.js`]), "expline.js", "slim.js", "node.js", "node.cjs", "node-commonjs.cjs", "cli.js", "types/index.d.ts"];
+  const files = [...KINDS.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), ...OVER.flatMap((name) => [`${name}.js`, `slim-${name}.js`]), "expline.js", "slim.js", "node.js", "node.cjs", "node-commonjs.cjs", "cli.js", "types/index.d.ts", "types-cjs/package.json"];
   const outputs = [...files.map((file) => `pkg/${file}`), "THIRD_PARTY_LICENSES"];
   await step("face", { inputs, outputs }, async () => {
     rmSync(at("pkg"), { recursive: true, force: true });
     await run("node", [at("node_modules/typescript/bin/tsc"), "-p", at("ts/tsconfig.json")]);
+    declareForRequire();
     for (const [out, prefix] of [["expline", ""], ["slim", "slim-"]]) await writeEdition(out, prefix);
     for (const { file } of KINDS) cpSync(at(BINDINGS, `${file}_bg.wasm`), at(`pkg/${file}_bg.wasm`));
     await bundleNode();

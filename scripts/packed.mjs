@@ -9,7 +9,7 @@ import { StepError, at, run, step } from "./steps.mjs";
 const CONSUMER = "build/consumer";
 /** What the tarball must hold besides package.json, README.md and the declarations. */
 const EXPECTED = [
-  ...["expline.js", "slim.js", "node.js", "node.cjs", "node-commonjs.cjs", "cli.js", "types/index.d.ts", ...OVER.flatMap((name) => [`${name}.js`, `slim-${name}.js`])].map((file) => `pkg/${file}`),
+  ...["expline.js", "slim.js", "node.js", "node.cjs", "node-commonjs.cjs", "cli.js", "types/index.d.ts", "types-cjs/index.d.ts", ...OVER.flatMap((name) => [`${name}.js`, `slim-${name}.js`])].map((file) => `pkg/${file}`),
   ...KINDS.flatMap(({ name, file }) => [`pkg/${name}.js`, `pkg/slim-${name}.js`, `pkg/${file}_bg.wasm`]),
   ...["LICENSE-MIT", "LICENSE-APACHE", "THIRD_PARTY_LICENSES"],
 ];

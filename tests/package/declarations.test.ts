@@ -99,6 +99,27 @@ test("TypeScript from 5.0 on reads the declarations", () => {
   assert.deepEqual(found, []);
 });
 
+test("a CommonJS file requires the package and has its types, whatever TypeScript knows of Node", () => {
+  const file = join(CONSUMER, "require.cts");
+  writeFileSync(file, `
+    import expline = require("expline");
+    import init, { HermiteCurve, type Curve } from "expline";
+    import * as slim from "expline/slim";
+    import { jointOf } from "expline/edit";
+    const circle: Curve = HermiteCurve.ellipse({ center: [0, 0], radii: [1, 1], count: 2 });
+    const same: expline.HermiteCurve = new expline.HermiteCurve({ points: [0, 0, 1, 1], tangents: [1, 0, 0, 1] });
+    export const all: [Promise<void>, Promise<void>, string, Float64Array, string] = [init(), expline.default(), slim.version, circle.sample(3), jointOf(same, 0)];
+    // @ts-expect-error there is no such name
+    export const none = expline.HermitCurve;
+  `);
+  for (const kind of [ts.ModuleKind.Node16, ts.ModuleKind.NodeNext]) {
+    const moduleResolution = kind === ts.ModuleKind.Node16 ? ts.ModuleResolutionKind.Node16 : ts.ModuleResolutionKind.NodeNext;
+    const options = { module: kind, moduleResolution, esModuleInterop: true, noEmit: true, target: ts.ScriptTarget.ES2022, lib: ["lib.es2022.d.ts"], types: [], strict: true };
+    const all = ts.getPreEmitDiagnostics(ts.createProgram([file], options));
+    assert.deepEqual(all.map(({ messageText }) => ts.flattenDiagnosticMessageText(messageText, " ")), []);
+  }
+});
+
 /** What the compiler says of a file that uses the package, with so much of TypeScript's library and nothing else. */
 function complaints(code: string, ...lib: string[]): string[] {
   const file = join(dirname(DECLARATIONS), "..", "..", "..", "..", "use.ts");

@@ -2,9 +2,11 @@
 
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { test } from "node:test";
 import { join } from "node:path";
+import { pathToFileURL } from "node:url";
 import { Worker } from "node:worker_threads";
 
 const consumer = join(process.cwd(), "build", "consumer");
@@ -167,13 +169,12 @@ test("made CommonJS by a test runner's transform, the module finds its wasm file
 });
 
 test("a program that was carried off without its wasm file says what to do", () => {
-  const folder = join(consumer, "carried");
-  mkdirSync(folder, { recursive: true });
+  const folder = mkdtempSync(join(tmpdir(), "expline-carried-"));
   const from = join(consumer, "node_modules", "expline", "pkg");
   writeFileSync(join(folder, "node.mjs"), readFileSync(join(from, "node.js")));
   const code = `
     import { readFileSync } from "node:fs";
-    const { HermiteCurve, initSync } = await import("./carried/node.mjs");
+    const { HermiteCurve, initSync } = await import(${JSON.stringify(pathToFileURL(join(folder, "node.mjs")).href)});
     const said = [];
     try { HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 2 }); } catch (error) { said.push(error.code, /await init/.test(error.message)); }
     initSync({ bytes: readFileSync(${JSON.stringify(join(from, "expline_bg.wasm"))}) });
@@ -181,6 +182,24 @@ test("a program that was carried off without its wasm file says what to do", () 
     console.log(JSON.stringify([...said, worst <= ${EXACT}]));
   `;
   assert.equal(node(code).trim(), JSON.stringify(["E_NOT_READY", true, true]));
+  rmSync(folder, { recursive: true });
+});
+
+test("a bundle for Node that has left the wasm files behind finds those of the package that is installed", async () => {
+  const { build } = await import("esbuild");
+  const source = join(consumer, "left-behind.mjs");
+  writeFileSync(source, `
+    import { HermiteCurve, fitSparse, traceImage } from "expline";
+    ${CIRCLE}
+    const { knots } = fitSparse([0, 0, 4, 0, 4, 4, 0, 4]);
+    const { contours } = traceImage({ width: 4, height: 4, data: new Uint8Array(16) });
+    console.log(JSON.stringify([worst <= ${EXACT}, knots.length > 0, contours.length]));
+  `);
+  for (const [format, name] of [["esm", "bundle.mjs"], ["cjs", "bundle.cjs"]] as const) {
+    const outfile = join(consumer, "left-behind", name);
+    await build({ entryPoints: [source], outfile, bundle: true, platform: "node", conditions: ["own"], format, logLevel: "silent" });
+    assert.equal(execFileSync(process.execPath, [outfile], { encoding: "utf8" }).trim(), JSON.stringify([true, true, 1]), format);
+  }
 });
 
 test("LC-024: the import alone touches neither WebAssembly, nor the network, nor the global object", () => {
