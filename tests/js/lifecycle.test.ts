@@ -10,7 +10,7 @@ import { inspect } from "node:util";
 import { runInNewContext } from "node:vm";
 import { Worker } from "node:worker_threads";
 
-import { ExponentialBSpline, ExplineError, HermiteCurve, HermiteGenerators, Interpolator, InterpolatingCurve, SparseFitter, TensorSurface, fitSparse, fromJSON, initSync, initTrace, parsePath } from "expline";
+import init, { ExponentialBSpline, ExplineError, HermiteCurve, HermiteGenerators, Interpolator, InterpolatingCurve, SparseFitter, TensorSurface, fitSparse, fromJSON, initSync, initTrace, parsePath } from "expline";
 
 import { trapping } from "./trapping.ts";
 
@@ -266,6 +266,17 @@ test("what stands where options belong, and is none, is refused instead of overl
   for (const fine of [(await import(exporting)) as object, Object.create(null), runInNewContext("({ decimals: 3 })")]) {
     assert.match(line.toPathD(hostile(fine)).d, /^M/);
   }
+});
+
+test("what is wrong with a call of init is said where an engine runs, too", async () => {
+  await initTrace();
+  const refused = { name: "ExplineError", code: "E_TYPE" };
+  for (const options of [{ foo: 1 }, { wasmURL: "a.wasm" }, 7, "a.wasm"]) {
+    await assert.rejects(initTrace(hostile(options)), refused);
+    await assert.rejects(init(hostile(options)), refused);
+  }
+  await initTrace({});
+  await init({ wasmUrl: "not-asked-for.wasm" });
 });
 
 test("an address that gives nothing says why", () => {

@@ -190,20 +190,25 @@ export default function init(options?: InitOptions): Promise<void> {
 
 /** What `init` does, for any engine. @internal */
 export function begin<K extends AnyKernel>(engine: Engine<K>, options: unknown): Promise<void> {
+  let from: ReturnType<typeof checkOptions>;
+  try {
+    // Checked where an engine runs, too: whether a call is wrong does not depend on what came before it.
+    from = checkOptions(engine.op, options, ["wasmUrl", "bytes", "module"]);
+  } catch (error) {
+    return Promise.reject(error as ExplineError);
+  }
   if (engine.module !== undefined && engine.current !== undefined) return Promise.resolve();
-  engine.starting ??= start(engine, options).finally(() => {
+  return (engine.starting ??= start(engine, from, options === undefined).finally(() => {
     engine.starting = undefined;
-  });
-  return engine.starting;
+  }));
 }
 
-async function start<K extends AnyKernel>(engine: Engine<K>, given: unknown): Promise<void> {
+async function start<K extends AnyKernel>(engine: Engine<K>, { wasmUrl, bytes, module: ready }: ReturnType<typeof checkOptions>, again: boolean): Promise<void> {
   const { op, address } = engine;
-  const { wasmUrl, bytes, module: ready } = checkOptions(op, given, ["wasmUrl", "bytes", "module"]);
   let next: WebAssembly.Module;
   if (ready !== undefined) next = asModule(op, ready);
   // An instance has died: its module is as good as it was.
-  else if (given === undefined && engine.module !== undefined) next = engine.module;
+  else if (again && engine.module !== undefined) next = engine.module;
   else if (wasmUrl !== undefined) next = await fetched(op, wasmUrl);
   else if (bytes === undefined && address !== undefined) next = await fetched(op, address());
   else next = await compiled(op, bytes === undefined ? inlined(engine, op) : asBytes(op, bytes));
