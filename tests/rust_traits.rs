@@ -116,3 +116,32 @@ fn plain_data_can_be_compared_and_counted() {
     let stages = HashSet::from([(Stage::Edges, Source::Lines, FitStatus::Running, Parametrisation::Chord)]);
     assert_eq!(stages.len(), 1);
 }
+
+#[test]
+fn every_option_says_what_it_is_by_default() {
+    let mut silent = Vec::new();
+    let mut count = 0;
+    for (name, text) in [
+        ("HermiteOptions", include_str!("../src/curve/hermite.rs")),
+        ("Options", include_str!("../src/fit/options.rs")),
+        ("PrintOptions", include_str!("../src/svg/print.rs")),
+        ("TraceOptions", include_str!("../src/trace/options.rs")),
+    ] {
+        let start = text.find(&format!("pub struct {name} {{")).expect("the options are here");
+        let body = &text[start..start + text[start..].find("\n}").expect("it ends")];
+        let mut said = String::new();
+        for line in body.lines().skip(1).map(str::trim) {
+            if let Some(field) = line.strip_prefix("pub ") {
+                count += 1;
+                if !["default", "`None`", "empty", "not given"].iter().any(|word| said.contains(word)) {
+                    silent.push(format!("{name}.{field}"));
+                }
+                said.clear();
+            } else {
+                said.push_str(line);
+            }
+        }
+    }
+    assert!(count > 30, "only {count} were looked at");
+    assert!(silent.is_empty(), "{silent:?}");
+}

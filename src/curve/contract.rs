@@ -62,8 +62,8 @@ pub trait Curve: Pieces {
         Ok(point)
     }
 
-    /// `count` points that lie uniformly in the parameter, all coordinates in turn: at i/count of the domain of a closed
-    /// curve, at i/(count − 1) of an open one. Each kind of curve has a `sample` of its own, which is quicker.
+    /// `count` points that lie uniformly in the parameter, all coordinates in turn: at i/count of the domain of a
+    /// closed curve, at i/(count − 1) of an open one. Each kind of curve has a `sample` of its own, which is quicker.
     ///
     /// # Errors
     ///

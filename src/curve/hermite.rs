@@ -41,15 +41,15 @@ pub enum Side {
 /// What a [`HermiteCurve`] is made from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct HermiteOptions {
-    /// Points on the curve.
+    /// Points on the curve; by default none, which makes no curve.
     pub points: Vec<Point>,
-    /// dr/dt leaving each point.
+    /// dr/dt leaving each point, one per point; empty by default, which fits no points.
     pub tangents: Vec<Vector>,
     /// dr/dt arriving at each point; empty where it is the same as leaving.
     pub tangents_in: Vec<Vector>,
-    /// Closed or open.
+    /// Closed, or open, which is the default here; the npm package closes curves by default.
     pub closed: bool,
-    /// The space; `None` is trigonometric.
+    /// The space; `None`, the default, is trigonometric.
     pub space: Option<Space>,
     /// ω in radians per unit of t: empty for the default (2π/M for a closed trigonometric curve of M ≥ 2 points,
     /// else 0), one for all segments, or one per segment.

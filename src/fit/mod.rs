@@ -41,22 +41,30 @@ mod report;
 mod samples;
 mod smooth;
 
-pub use convex::interval::Local;
 pub use convex::price::{
     detail_of_lambda, detail_of_smoothing, lambda_max, lambda_of_detail, smoothing_of_detail,
 };
 pub use convex::problem::{Component, Norm, Problem, uniform_grid};
 pub use convex::solution::{Solution, Spline, Status};
-pub use convex::spline_space::KnotSpace;
-pub use convex::{certificate, price, problem, solution, spline_space};
+pub use convex::{certificate, price, problem, solution};
 pub use fitter::{Fitter, Progress, fit, fit_all};
 pub use interior::settings::Settings;
+pub use interior::solver;
 pub use interior::solver::Solver;
-pub use interior::{admm, gridless, solver};
-pub use knots::breaks::Breaks;
-pub use knots::free_knots::{FreeKnots, Located};
 pub use noise::{is_regular, noise};
 pub use options::{Ask, Finish, Options};
 pub use outcome::{Changed, Fit, FitStatus, Knot, Part};
 pub use parametrise::{Parametrisation, given, parametrise};
 pub use samples::{MOST_SAMPLES, Samples};
+
+/// What solvers are made of, for the crate's own tests, examples and benches. These trust their arguments: they are no
+/// part of the interface, whose promise is that nothing panics.
+#[doc(hidden)]
+pub use {
+    convex::{interval::Local, spline_space, spline_space::KnotSpace},
+    interior::{admm, gridless},
+    knots::{
+        breaks::Breaks,
+        free_knots::{FreeKnots, Located},
+    },
+};

@@ -51,42 +51,44 @@ pub struct Finish {
 /// How to fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// One degree, or two ascending ones for the sum of two splines; 1 to 5. Where fewest knots are asked for the last
-    /// one counts alone. Curves of degree 4 and 5 come as cubics, see [`Fit::deviation`](super::Fit::deviation).
+    /// One degree, or two ascending ones for the sum of two splines; 1 to 5, by default 1 and 3. Where fewest knots are
+    /// asked for the last one counts alone. Curves of degree 4 and 5 come as cubics, see
+    /// [`Fit::deviation`](super::Fit::deviation).
     pub degrees: Vec<usize>,
     /// Whether the curve is closed; `None` where ends that are close belong together.
     pub closed: Option<bool>,
-    /// How parameters are found.
+    /// How parameters are found; by default [`Parametrisation::Auto`].
     pub parametrisation: Parametrisation,
     /// Given parameters, one per point and not decreasing; empty to have them found.
     pub parameters: Vec<f64>,
     /// The period of given parameters on a closed curve; `None` for one mean step after the last.
     pub period: Option<f64>,
-    /// Weights, one per point; empty for 1 each.
+    /// Weights, one per point, 1e-6 to 1e6; empty for 1 each.
     pub weights: Vec<f64>,
     /// Steps of the grid that knots may be on, for [`Ask::Lambda`] and [`Ask::Smoothing`]; `None` chooses (the number
     /// of points, at most 5000 for degree 1 and 2000 above). Where every λ is 0, more steps than there are points are
     /// as good as none said.
     pub grid_size: Option<usize>,
-    /// How the size of a jump is measured, for [`Ask::Lambda`] and [`Ask::Smoothing`].
+    /// How the size of a jump is measured, for [`Ask::Lambda`] and [`Ask::Smoothing`]; by default [`Norm::L2`].
     pub norm: Norm,
-    /// For two degrees with [`Ask::Smoothing`]: from 0, as straight as can be, to 1, as smooth as can be.
+    /// For two degrees with [`Ask::Smoothing`]: from 0, as straight as can be, to 1, as smooth as can be; by default
+    /// 0.5.
     pub mix: f64,
-    /// Whether corners are kept where fewest knots are asked for.
+    /// Whether corners are kept where fewest knots are asked for, as they are by default.
     pub corners: bool,
     /// By how much a corner turns at least, in radians, where fewest knots are asked for: at slighter ones the curve is
     /// smooth, for a knot or two more. 0 to π; 0, the default, keeps every corner that spares a knot.
     pub least_turn: f64,
-    /// Whether points far off the curve are to count for little.
+    /// Whether points far off the curve are to count for little; by default all count alike.
     pub robust: bool,
-    /// The noise's standard deviation in each coordinate; `None` has it estimated.
+    /// The noise's standard deviation in each coordinate, in their unit, 0 to 1e9; `None` has it estimated.
     pub noise: Option<f64>,
-    /// The relative duality gap to reach, for [`Ask::Lambda`] and [`Ask::Smoothing`].
+    /// The relative duality gap to reach, 0 to 1, for [`Ask::Lambda`] and [`Ask::Smoothing`]; by default 1e-6.
     pub gap: f64,
     /// The most iterations: of the solver for [`Ask::Lambda`] and [`Ask::Smoothing`], where `None` allows 400, of the
     /// search for the fewest knots otherwise, where `None` allows as many as it takes.
     pub most_iterations: Option<usize>,
-    /// What is done after the convex problem of [`Ask::Lambda`] and [`Ask::Smoothing`] is solved.
+    /// What is done after the convex problem of [`Ask::Lambda`] and [`Ask::Smoothing`] is solved; by default nothing.
     pub finish: Finish,
 }
 

@@ -27,7 +27,7 @@ pub enum Parametrisation {
 /// looks at it. O(M).
 pub fn parametrise(samples: &Samples, kind: Parametrisation, noise: f64) -> (Vec<f64>, f64) {
     let count = samples.points.len();
-    let steps = if samples.closed { count } else { count - 1 };
+    let steps = if samples.closed { count } else { count.saturating_sub(1) };
     let step: &dyn Fn(usize) -> f64 = &|m| match kind {
         Parametrisation::Index => 1.0,
         Parametrisation::Chord => chord(samples, m, (0, 0)),

@@ -29,15 +29,15 @@ const FAR: f64 = 1.0;
 /// How [`to_path_d`] writes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrintOptions {
-    /// The largest distance between the curve and what the text draws; below 1e-9 of the extent, or 1e-15 of the
-    /// largest coordinate, it is raised to that.
+    /// The largest distance between the curve and what the text draws, by default 0.02; below 1e-9 of the extent, or
+    /// 1e-15 of the largest coordinate, it is raised to that.
     pub tolerance: f64,
     /// Digits behind the point, up to 17; `None` for as many as the tolerance needs. With 17 every coordinate is read
     /// back to the last bit.
     pub decimals: Option<u32>,
-    /// Whether arcs of ellipses become `A`; else they become cubics.
+    /// Whether arcs of ellipses become `A`, as they do by default; else they become cubics.
     pub arcs: bool,
-    /// Whether relative commands are used where they are shorter.
+    /// Whether relative commands are used where they are shorter; by default all are absolute.
     pub relative: bool,
 }
 

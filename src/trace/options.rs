@@ -26,36 +26,37 @@ pub enum Model {
 /// How a picture is traced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TraceOptions {
-    /// What is followed.
+    /// What is followed; by default [`Source::Brightness`].
     pub source: Source,
-    /// By which spline.
+    /// By which spline; by default [`Model::Sparse`].
     pub model: Model,
     /// The shade between ink and paper, 0 … 255; found if it is not given, and dark ink on paper in uneven light is
     /// then followed as if the light were even (D 14.24).
     pub threshold: Option<f64>,
-    /// The deviation in pixels of the Gaussian that the picture is blurred by before contours are looked for; found if
-    /// it is not given.
+    /// The deviation in pixels, 0 … 10, of the Gaussian that the picture is blurred by before contours are looked for;
+    /// found if it is not given.
     pub blur: Option<f64>,
-    /// Light ink on dark paper. What is light and lies on a transparent ground is ink in any case.
+    /// Light ink on dark paper; by default it is dark on light. What is light and lies on a transparent ground is ink
+    /// in any case.
     pub inverted: bool,
-    /// Contours that enclose fewer square pixels are left out, and edges that are shorter than the outline of a square
-    /// of so many. If it is not given that is 2, but where nothing is noise and strokes are thin, refined outlines of
-    /// dots with gray at their edges are kept from a quarter of a pixel at the threshold on: no dust is as small in a
-    /// drawing that is itself.
+    /// Contours that enclose fewer square pixels, 0 … 1e9, are left out, and edges that are shorter than the outline of
+    /// a square of so many. If it is not given that is 2, but where nothing is noise and strokes are thin, refined
+    /// outlines of dots with gray at their edges are kept from a quarter of a pixel at the threshold on: no dust is as
+    /// small in a drawing that is itself.
     pub speckle: Option<f64>,
-    /// The least turning of a corner, in radians.
+    /// The least turning of a corner, in radians, 0.05 … π; by default 0.49, which is 28°. With π there are none.
     pub corner: f64,
-    /// How far the first curve of a contour may be from its points, in pixels, about: pieces are fitted to places half
-    /// a pixel apart, and the ends of a piece, corners and pieces of two pixels may be farther: of smooth shapes the
-    /// largest distance was up to 1.3 times as much at the default, and 5 times at .05. A refined curve begins within
-    /// .18 and goes where the picture says; above the default joints may leave more in proportion. Twice as much is
-    /// allowed in noise, three times where pixels only say which centres are inside. What was reached is
-    /// [`Metrics::max`](super::Metrics::max). Where a picture was scaled up by repeating pixels, this counts in those
-    /// pixels.
+    /// How far the first curve of a contour may be from its points, in pixels, 0.01 … 1000; by default 0.22. That is
+    /// about so: pieces are fitted to places half a pixel apart, and the ends of a piece, corners and pieces of two
+    /// pixels may be farther: of smooth shapes the largest distance was up to 1.3 times as much at the default, and 5
+    /// times at .05. A refined curve begins within .18 and goes where the picture says; above the default joints may
+    /// leave more in proportion. Twice as much is allowed in noise, three times where pixels only say which centres are
+    /// inside. What was reached is [`Metrics::max`](super::Metrics::max). Where a picture was scaled up by repeating
+    /// pixels, this counts in those pixels.
     pub tolerance: f64,
-    /// Whether curves are refined against the picture's coverage.
+    /// Whether curves are refined against the picture's coverage, as they are by default.
     pub refined: bool,
-    /// More contours than this are not a drawing but a photograph.
+    /// More contours than this, 1 … 1,000,000, are not a drawing but a photograph; by default 1500.
     pub most_contours: usize,
 }
 

@@ -3,12 +3,13 @@
 use super::agreement::agreement;
 use super::metrics::Metrics;
 use super::quasi_interpolant::choice::Rule;
+use super::quasi_interpolant::knots::Knots;
 use super::quasi_interpolant::selection::Method;
 use super::samples::unit;
 use super::tubes::chain::{Chain, Joint, Tube, TubeFit, fit_tube};
 use super::tubes::cusps::{Cusp, CuspRule};
 use crate::curve::{HermiteCurve, HermiteOptions};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::generator::Space;
 use crate::limits::{check, with_room};
 use crate::numerics::order::sort_by_keys;
@@ -131,7 +132,7 @@ impl Chain {
         let mut profile = Profile { chain, cusps, tubes, joints, fits };
         profile.join(window);
         for (tube, joints) in profile.tubes.iter().zip(&profile.joints) {
-            let points = profile.chain.tube_points(tube);
+            let points = profile.chain.in_tube(tube);
             profile.fits.push(fit_tube(&points, *joints, options.degree, options.method)?);
         }
         Ok(profile)
@@ -220,7 +221,7 @@ impl Profile {
         let mut arriving = Vector::zeros();
         let mut end = Point::zeros();
         for fit in &self.fits {
-            for piece in fit.pieces()? {
+            for piece in fit.bezier()? {
                 let degree = (piece.len() - 1) as f64;
                 if norm(piece[piece.len() - 1] - piece[0]) < 1e-9 {
                     continue;
@@ -284,8 +285,18 @@ impl TubeFit {
     ///
     /// # Errors
     ///
-    /// Where the allocator says no.
+    /// Control points of another number than the knots ask for; where the allocator says no.
     pub fn pieces(&self) -> Result<Vec<Vec<Point>>> {
+        if let Some(needed) = self.knots.as_ref().map(Knots::count)
+            && needed != self.control.len()
+        {
+            return Err(Error::wrong_length("control", self.control.len(), needed));
+        }
+        self.bezier()
+    }
+
+    /// The same where as many control points as the knots ask for are known to be there.
+    fn bezier(&self) -> Result<Vec<Vec<Point>>> {
         let Some(knots) = &self.knots else {
             return Ok(vec![self.control.clone()]);
         };

@@ -92,7 +92,7 @@ impl QuasiInterpolant {
         check("neighbours", None, k as f64, 1.0, cloud.len() as f64)?;
         let mut order = with_room(k + 1)?;
         Self::of(knots, ends, &mut |knots, q| {
-            cloud.nearest(knots.greville(q), k, &mut order);
+            cloud.nearest(knots.abscissa(q), k, &mut order);
             order.iter().map(|&i| cloud.y()[i]).sum::<f64>() / k as f64
         })
     }
@@ -168,13 +168,13 @@ pub(super) fn held(knots: &Knots, q: usize, [start, end]: [End; 2]) -> Option<f6
     let slope = |end: End| if let End::Tangent(slope) = end { Some(slope) } else { None };
     let at_start = match q {
         0 if start != End::Free => Some(0.0),
-        1 => slope(start).map(|slope| slope * (knots.greville(1) - knots.greville(0))),
+        1 => slope(start).map(|slope| slope * (knots.abscissa(1) - knots.abscissa(0))),
         _ => None,
     };
     let at_end = if q == last {
         (end != End::Free).then_some(0.0)
     } else if q + 1 == last {
-        slope(end).map(|slope| slope * (knots.greville(q) - knots.greville(last)))
+        slope(end).map(|slope| slope * (knots.abscissa(q) - knots.abscissa(last)))
     } else {
         None
     };

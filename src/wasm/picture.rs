@@ -60,7 +60,7 @@ impl Job {
             bright = rows.iter().flat_map(|&shade| [shade, shade, shade, 255]).collect();
             &mut bright
         };
-        self.scan.push(colors, 4);
+        self.scan.look(colors, 4);
         if let Some(blocks) = &self.blocks {
             let count = thin(blocks, &mut self.read, colors);
             colors = &mut colors[..count];

@@ -39,13 +39,15 @@ pub struct Certificate {
 ///
 /// # Errors
 ///
-/// As for [`Problem::check`]; `WrongLength` when the solution has not the components of the problem.
+/// As for [`Problem::check`]; `WrongLength` when the solution has not the components of the problem, or
+/// one of them not the numbers that its knots ask for; `Degenerate` when their degrees or domains differ.
 pub fn verify(problem: &Problem, solution: &Solution) -> Result<Certificate> {
     problem.check()?;
     if solution.components.len() != problem.components.len() {
         let (got, needed) = (solution.components.len(), problem.components.len());
         return Err(Error::wrong_length("components", got, needed));
     }
+    belongs(solution, problem)?;
     let residuals = residuals(problem, solution)?;
     let weight = |m: usize| problem.weights.get(m).copied().unwrap_or(1.0);
     let mut objective = 0.0;
@@ -153,6 +155,21 @@ fn residuals(problem: &Problem, solution: &Solution) -> Result<Vec<Vector>> {
         }
     }
     Ok(e)
+}
+
+/// Whether a solution is one that the problem can have.
+fn belongs(solution: &Solution, problem: &Problem) -> Result<()> {
+    let (start, end, closed) = solution.domain;
+    if [start, end] != [problem.start, problem.end] || closed != problem.closed {
+        return Err(Error::degenerate("domain", None, "it is not that of the problem"));
+    }
+    for (i, (spline, component)) in solution.components.iter().zip(&problem.components).enumerate() {
+        if spline.degree != component.degree {
+            return Err(Error::degenerate("components", Some(i), "its degree is not that of the problem"));
+        }
+        solution.space(spline)?;
+    }
+    Ok(())
 }
 
 /// The knots of a spline with `degree` (open: clamped, with one more) on either side.

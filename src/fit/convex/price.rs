@@ -29,12 +29,15 @@ pub fn lambda_max(problem: &Problem) -> Result<Vec<f64>> {
     problem.components.iter().map(most).collect()
 }
 
+/// Beyond any degree that there is: what asks for more has no answer, but gets it soon.
+const BEYOND: usize = 64;
+
 /// λ for a length of detail ℓ, counted in points: what is shorter than about ℓ points is smoothed away. It means the
 /// same for every degree, size and density of points: λ = D w̄ δᵃ (ℓ/2π)^{a+1} with the diameter D of the smallest
 /// circle around the points, their mean weight w̄ and distance δ in the parameter. (D 12.2)
 pub fn lambda_of_detail(problem: &Problem, degree: usize, detail: f64) -> f64 {
     let mut lambda = unit_lambda(problem, degree);
-    for _ in 0..=degree {
+    for _ in 0..=degree.min(BEYOND) {
         lambda *= detail / core::f64::consts::TAU;
     }
     lambda.clamp(0.0, limits::LARGEST_LAMBDA)
@@ -46,7 +49,7 @@ pub fn detail_of_lambda(problem: &Problem, degree: usize, lambda: f64) -> f64 {
     if unit <= 0.0 || lambda <= 0.0 {
         return 0.0;
     }
-    core::f64::consts::TAU * libm::exp(libm::log(lambda / unit) / (degree + 1) as f64)
+    core::f64::consts::TAU * libm::exp(libm::log(lambda / unit) / (degree as f64 + 1.0))
 }
 
 /// The length of detail of a smoothing between 0 (two points) and 1 (all of them): 2(M/2)ˢ.
@@ -71,7 +74,7 @@ fn unit_lambda(problem: &Problem, degree: usize) -> f64 {
     let weight =
         if problem.weights.is_empty() { 1.0 } else { problem.weights.iter().sum::<f64>() / count as f64 };
     let mut lambda = weight * 2.0 * enclosing_circle(&problem.points).radius;
-    for _ in 0..degree {
+    for _ in 0..degree.min(BEYOND) {
         lambda *= distance;
     }
     lambda

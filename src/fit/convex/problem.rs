@@ -198,5 +198,5 @@ fn check_grid_size(degree: usize, size: usize) -> Result<()> {
     if size > limits::MOST_FIT_POINTS {
         return Err(limits::too_many("gridSize", "most places", limits::MOST_FIT_POINTS, size));
     }
-    limits::check("gridSize", None, size as f64, (degree + 2) as f64, limits::MOST_FIT_POINTS as f64)
+    limits::check("gridSize", None, size as f64, degree as f64 + 2.0, limits::MOST_FIT_POINTS as f64)
 }

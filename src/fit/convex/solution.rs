@@ -2,7 +2,7 @@
 
 use super::problem::Problem;
 use super::spline_space::KnotSpace;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::numerics::Vector;
 
 /// Where a run stands.
@@ -59,10 +59,19 @@ impl Solution {
     ///
     /// # Errors
     ///
-    /// As for [`KnotSpace::new`]; none for a solution that the solver made.
+    /// As for [`KnotSpace::new`], and `WrongLength` for another number of jumps or coefficients than the knots ask for;
+    /// none for a solution that the solver made.
     pub fn space(&self, component: &Spline) -> Result<KnotSpace> {
         let (start, end, closed) = self.domain;
-        KnotSpace::new(component.degree, &component.knots, start, end, closed)
+        let Spline { degree, knots, jumps, coefficients, .. } = component;
+        let space = KnotSpace::new(*degree, knots, start, end, closed)?;
+        if jumps.len() != knots.len() {
+            return Err(Error::wrong_length("jumps", jumps.len(), knots.len()));
+        }
+        if coefficients.len() != space.dimension() {
+            return Err(Error::wrong_length("coefficients", coefficients.len(), space.dimension()));
+        }
+        Ok(space)
     }
 
     /// A derivative of the curve at each parameter; order 0 is the place. At a knot the limit from the right.

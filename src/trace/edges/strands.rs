@@ -42,7 +42,7 @@ struct Strand {
 ///
 /// Lines are thinned to one pixel. Branches to an end shorter than 5 pixels, or three deviations of the blur, go; at a
 /// junction the straightest pairs go on as each other if they turn by less than 30°; lines of fewer than 6 points go;
-/// ends within 3 pixels whose tangents agree within 25° are joined.
+/// ends within 3 pixels whose tangents agree within 25° are joined. Points that lie outside the picture do not count.
 ///
 /// # Errors
 ///
@@ -55,8 +55,10 @@ pub fn profiles(edges: &Edges) -> Result<Vec<Chain>> {
     let mut lines = Bitmap::new(edges.width, edges.height)?;
     let mut pixels = with_room(edges.points.len())?;
     for &EdgePoint { column, row, .. } in &edges.points {
-        lines.set(column as usize, row as usize, true);
-        pixels.push((column, row));
+        if (column as usize) < edges.width && (row as usize) < edges.height {
+            lines.set(column as usize, row as usize, true);
+            pixels.push((column, row));
+        }
     }
     lines.thin(&mut pixels);
     let place = |(column, row): (u32, u32)| match edges.find(column as usize, row as usize) {

@@ -59,13 +59,20 @@ impl BlockScan {
         }
     }
 
-    /// More rows of pixels of some bytes each, four at most.
+    /// More rows of pixels of one to four bytes each; of others nothing is looked at.
     ///
     /// # Cost
     ///
     /// O(pixels) for pictures of squares; of others the first few rows with ink say that they are none.
-    #[inline(never)]
     pub fn push(&mut self, rows: &[u8], each: usize) {
+        if (1..=4).contains(&each) && self.extent[0] <= usize::MAX / 4 {
+            self.look(rows, each);
+        }
+    }
+
+    /// The same of pixels that have so many bytes, and of a width that there is.
+    #[inline(never)]
+    pub(crate) fn look(&mut self, rows: &[u8], each: usize) {
         for row in rows.chunks_exact((each * self.extent[0]).max(1)) {
             if self.is_over() {
                 return;

@@ -187,7 +187,7 @@ impl GrayRows {
     /// A list that is not whole rows, or more rows than the picture has; nothing is taken then.
     pub fn push_rgba_rows(&mut self, bytes: &[u8]) -> Result<()> {
         self.room(bytes.len(), 4)?;
-        self.scan.push(bytes, 4);
+        self.scan.look(bytes, 4);
         for block in bytes.chunks(4 * BLOCK) {
             if self.opacity.capacity() == 0 && is_opaque(block) {
                 self.push_opaque(block);
@@ -234,7 +234,7 @@ impl GrayRows {
     /// As [`GrayRows::push_rgba_rows`].
     pub fn push_gray_rows(&mut self, bytes: &[u8]) -> Result<()> {
         self.room(bytes.len(), 1)?;
-        self.scan.push(bytes, 1);
+        self.scan.look(bytes, 1);
         self.values.extend(bytes.iter().map(|&byte| u16::from(byte) << 8));
         if self.opacity.capacity() > 0 {
             self.opacity.resize(self.values.len(), 255);

@@ -92,8 +92,14 @@ impl Knots {
         self.count() - self.degree
     }
 
-    /// The abscissa of coefficient q: the mean of the p knots inside its B-spline's support.
+    /// The abscissa of coefficient q: the mean of the p knots inside its B-spline's support. Beyond the last it is the
+    /// last one's.
     pub fn greville(&self, q: usize) -> f64 {
+        self.abscissa(q.min(self.count() - 1))
+    }
+
+    /// The abscissa of one of the coefficients.
+    pub(in crate::trace) fn abscissa(&self, q: usize) -> f64 {
         self.inner(q).iter().sum::<f64>() / self.degree as f64
     }
 

@@ -38,7 +38,7 @@ impl LocalFit {
 
     /// Finds how much each of the neighbours counts in coefficient q.
     pub(super) fn weigh(&mut self, cloud: &Cloud, knots: &Knots, q: usize) {
-        let center = knots.greville(q);
+        let center = knots.abscissa(q);
         cloud.nearest(center, self.k + 1, &mut self.order);
         let offset = |i: usize| cloud.x()[i] - center;
         let reach = self.order.iter().fold(1e-9_f64, |most, &i| most.max(offset(i).abs()));

@@ -34,7 +34,7 @@ pub fn leave_one_out(cloud: &Cloud, knots: &Knots, most: usize, ends: [End; 2]) 
             means.fill(value);
             continue;
         }
-        cloud.nearest(knots.greville(q), most + 1, &mut order);
+        cloud.nearest(knots.abscissa(q), most + 1, &mut order);
         let mut sum = 0.0;
         for (mean, (&i, count)) in means.iter_mut().zip(order.iter().zip(1_usize..)) {
             sum += cloud.y()[i];

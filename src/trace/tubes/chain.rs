@@ -224,8 +224,17 @@ impl Chain {
         near
     }
 
-    /// The points of a tube in order.
+    /// The points of a tube in order: no more than the chain has, and none of a tube of another chain.
     pub fn tube_points(&self, tube: &Tube) -> Vec<Point> {
+        let count = self.points.len();
+        if tube.first >= count {
+            return Vec::new();
+        }
+        self.in_tube(&Tube { count: tube.count.min(count), ..*tube })
+    }
+
+    /// The points of one of its own tubes.
+    pub(in crate::trace) fn in_tube(&self, tube: &Tube) -> Vec<Point> {
         (0..tube.count).map(|k| self.points[(tube.first + k) % self.points.len()]).collect()
     }
 }
@@ -266,7 +275,7 @@ impl Frame {
         };
         let residuals = fitted.residuals(cloud)?;
         let place =
-            |(q, &c): (usize, &f64)| self.start + self.along * fitted.knots().greville(q) + self.across * c;
+            |(q, &c): (usize, &f64)| self.start + self.along * fitted.knots().abscissa(q) + self.across * c;
         Ok(TubeFit {
             control: fitted.coefficients().iter().enumerate().map(place).collect(),
             knots: Some(fitted.knots().clone()),

@@ -46,13 +46,13 @@ pub struct DiscTube {
 
 impl DiscTube {
     /// Whether the tube's points look like a graph over its chord: those next to each other along it differ across it
-    /// by at most two pixels, and twice what they are apart along it.
+    /// by at most two pixels, and twice what they are apart along it. Points that `chain` has not do not count.
     pub fn is_graph(&self, chain: &Chain) -> bool {
         let way = self.ends[1] - self.ends[0];
         let along = way / norm(way).max(f64::MIN_POSITIVE);
         let mut places: Vec<(f64, f64)> = Vec::new();
-        for &i in &self.points {
-            let from = chain.points()[i] - self.ends[0];
+        for point in self.points.iter().filter_map(|&i| chain.points().get(i)) {
+            let from = point - self.ends[0];
             places.push((dot(from, along), along.x * from.y - along.y * from.x));
         }
         sort_by_number(&mut places, &|place| place.0);
