@@ -149,6 +149,39 @@ test("a copied file is opened, and not its name, which some systems put beside i
   assert.equal((await demo.state()).curve.contours.length, 1);
 });
 
+/** What another program put on the clipboard as a part of a page. */
+async function pastePage(demo: Demo, page: string, plain: string): Promise<void> {
+  await demo.page.evaluate(([html, text]) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/html", html);
+    if (text !== "") clipboardData.setData("text/plain", text);
+    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  }, [page, plain] as const);
+  await demo.idle();
+}
+
+test("a drawing that was copied as a part of a page only is pasted, inline or as the address of a picture", async (t) => {
+  const drawing = '<svg width="100" height="100" xmlns="http://www.w3.org/2000/svg"><path d="M10 10h80v40z"/></svg>';
+  for (const page of [`<meta charset='utf-8'>${drawing}`, `<html><body>\r\n<!--StartFragment-->${drawing}<!--EndFragment-->\r\n</body></html>`, `<img src="data:image/svg+xml,${encodeURIComponent(drawing)}">`]) {
+    const demo = await open(t, "#/curve?sample=heart");
+    await pastePage(demo, page, "");
+    const [contour] = await demo.until(async () => (await demo.state()).curve.contours, (contours) => contours[0]?.points.length === 3, page.slice(0, 40));
+    assert.deepEqual(contour?.points.map(({ x, y }) => [x, y]), [[10, 10], [90, 10], [90, 50]]);
+  }
+});
+
+test("what a design program copies for itself alone is said to be nothing to draw, and how it can be copied", async (t) => {
+  const figma = "<meta charset='utf-8'><html><head></head><body><span data-metadata=\"<!--(figmeta)eyJmaWxlS2V5IjoiYWJjIn0=(/figmeta)-->\"></span><span data-buffer=\"<!--(figma)ZmlnLWtpd2kAAAA=(/figma)-->\"></span></body></html>";
+  for (const plain of ["", "Rectangle 1"]) {
+    const demo = await open(t, "#/curve?sample=heart");
+    await pastePage(demo, figma, plain);
+    const error = demo.page.locator('[data-testid="error"][data-error="paste-unknown"]');
+    await error.waitFor();
+    assert.match((await error.textContent()) ?? "", /Copy as SVG/u);
+    assert.equal((await demo.points()).length, 6);
+  }
+});
+
 test("what is pasted while a point is dragged is there after the drag, as a step of its own", async (t) => {
   const demo = await open(t, "#/curve?sample=heart");
   await demo.drag("pt-0-1", 5, 5);

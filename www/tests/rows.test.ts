@@ -116,3 +116,24 @@ test("what is no table is not taken for one", () => {
   for (const text of ["Hello world, this is it.\nThere are 3 apples\nand 4 pears", "north", "x,y", "{}"]) assert.notEqual(kindOfText(text), "points", text);
   for (const path of ["M 10 20\n30 40\n50 60", "m1,1 2,2", "M0 0L1 1"]) assert.equal(kindOfText(path), "path", path);
 });
+
+test("of a map in GeoJSON the lines are read, however its names are written, and neither boxes nor numbers that are known of a place", () => {
+  const ring = [[0.5, 0.5], [4, 0.5], [4, 3.25], [0.5, 0.5]];
+  const feature = (geometry: unknown, more: object = {}): object => ({ type: "Feature", bbox: [0, 0, 9, 9], properties: { heights: [1, 2, 3, 4] }, geometry, ...more });
+  const lines = (value: unknown): unknown => {
+    const text = JSON.stringify(value, null, 1);
+    assert.equal(kindOfText(text), "points", text);
+    return readPoints(text).strokes.map(({ points, closed }) => [points, closed]);
+  };
+  const open = { type: "LineString", coordinates: three };
+  const both = [[ring.slice(0, 3), true], [three, false]];
+  for (const features of [[feature({ type: "Polygon", coordinates: [ring] }), feature(open)], [feature({ type: "GeometryCollection", geometries: [{ type: "MultiPolygon", coordinates: [[ring]] }, open] })]]) {
+    assert.deepEqual(lines({ type: "FeatureCollection", features }), both);
+    // A name with an apostrophe and brackets, and a type that does not come first.
+    assert.deepEqual(lines({ name: "L'Aquila (north)", crs: { type: "name", properties: {} }, bbox: [0, 0, 9, 9], type: "FeatureCollection", features }), both);
+  }
+  const places = three.map((coordinates) => feature({ type: "Point", coordinates }));
+  assert.deepEqual(lines({ type: "FeatureCollection", features: places }), [[three, false]], "places alone are one line");
+  const mixed = readPoints(JSON.stringify({ type: "FeatureCollection", features: [feature(open), ...places.slice(0, 2)] }));
+  assert.deepEqual([mixed.strokes.map(({ points }) => points), mixed.notes], [[three], ["2 places on no line were left out"]]);
+});

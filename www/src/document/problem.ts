@@ -20,7 +20,7 @@ export interface ProblemDetails {
 }
 
 export type ProblemId =
-  | "image-type" | "image-broken" | "image-big" | "image-blank" | "file-type"
+  | "image-type" | "image-broken" | "image-big" | "image-blank" | "file-type" | "files-left"
   | "svg-broken" | "svg-entities" | "svg-big" | "svg-range" | "svg-nopath"
   | "d-broken" | "d-range" | "d-big"
   | "points-rows" | "points-list" | "points-few" | "points-big"

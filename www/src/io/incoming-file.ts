@@ -11,11 +11,11 @@ function extensionOf(name: string): string {
   return /\.([a-z0-9]+)$/iu.exec(name)?.[1]?.toLowerCase() ?? "";
 }
 
-const textTypes: ReadonlySet<string> = new Set(["svg", "json", "txt", "csv", "tsv", "dat", "xy"]);
+const textTypes: ReadonlySet<string> = new Set(["svg", "json", "geojson", "txt", "csv", "tsv", "dat", "xy"]);
 const pictureTypes: ReadonlySet<string> = new Set(["png", "jpg", "jpeg", "webp", "avif", "gif", "bmp", "tif", "tiff", "heic", "heif"]);
 
-/** Of them, what few browsers have a decoder for. */
-const rareTypes: ReadonlySet<string> = new Set(["tif", "tiff", "heic", "heif"]);
+/** What every browser has a decoder for: where it cannot be decoded, it is broken. */
+const commonTypes: ReadonlySet<string> = new Set(["png", "jpg", "jpeg", "webp", "gif", "bmp"]);
 
 /**
  * What is in a gzipped file, as `.svgz` is, under its name; any other as it is. @throws Problem where it is broken, or
@@ -44,11 +44,11 @@ export async function readIncoming(given: File): Promise<Incoming> {
   if (!isSvg && (file.type.startsWith("image/") || pictureTypes.has(extension))) {
     const title = named ? name : "Pasted picture";
     await checkPicture(file, title);
-    const rare = rareTypes.has(extension) || /^image\/(?:tiff|hei[cf])$/u.test(file.type);
-    if (rare && !(await isReadable(file))) throw new Problem("image-type", { name: title });
+    const isCommon = commonTypes.has(extension) || commonTypes.has(file.type.replace("image/", ""));
+    if (!isCommon && !(await isReadable(file))) throw new Problem("image-type", { name: title });
     return { name: title, picture: file };
   }
-  const isText = isSvg || textTypes.has(extension) || file.type === "application/json" || file.type.startsWith("text/");
+  const isText = isSvg || textTypes.has(extension) || /^text\/|[/+]json$/u.test(file.type);
   if (!isText) throw new Problem("file-type", { name });
   if (file.size > mostTextBytes) throw new Problem("svg-big", { field: "bytes", most: mostTextBytes });
   const text = await file.text();

@@ -59,8 +59,7 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   window.addEventListener("vite:preloadError", ({ payload }: Event & { payload?: unknown }) => sayMissing(editor, "This part of the page", payload), { signal: until });
   io.listenForIncoming({
     takesText,
-    files: (files) => whenLoaded(editor, import("./files/file-work.ts"), ({ receiveFiles }) => receiveFiles(shell, files)),
-    text: (text) => whenLoaded(editor, import("./files/file-work.ts"), ({ receiveText }) => receiveText(shell, text)),
+    take: (brought) => whenLoaded(editor, import("./files/file-work.ts"), ({ receive }) => receive(shell, brought)),
     dragging: (over) => regions.stage.toggleAttribute("data-drop", over),
   }, until);
   return {

@@ -50,7 +50,15 @@ export interface FileLook {
 
 export interface IncomingHandlers {
   takesText(target: EventTarget | null): boolean;
-  files(files: readonly File[]): void;
-  text(text: string): void;
+  take(brought: Brought): void;
   dragging(over: boolean): void;
+}
+
+/** What was pasted or dropped. */
+export interface Brought {
+  readonly pasted: boolean;
+  readonly files: readonly File[];
+  readonly text: string;
+  /** The part of a page that some programs copy. */
+  readonly page: string;
 }

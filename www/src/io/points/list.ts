@@ -4,9 +4,12 @@ import { isCoordinate, strokesOf, type Pair, type Strokes } from "./stroke.ts";
 /** Points as programs have them: lists of JavaScript, Python or NumPy, JSON with names, one list or several. */
 
 /** What begins so is no file of ours, which begins with the name of its format. */
-const listed = /^(?:(?:np\.)?array\()?\s*[[(]\s*(?:[[({]|[-+.\d])|^\{\s*["']?(?:points|data|coordinates|strokes|x)["']?\s*:\s*\[|^\{\s*["']?type["']?\s*:\s*["'](?:LineString|MultiLineString|Polygon|MultiPoint)["']/iu;
+const listed = /^(?:(?:np\.)?array\()?\s*[[(]\s*(?:[[({]|[-+.\d])|^\{\s*["']?(?:points|data|coordinates|strokes|x)["']?\s*:\s*\[/iu;
 
-export const beginsAsList = (text: string): boolean => listed.test(text);
+/** GeoJSON, whose type may stand after its name or its box. */
+const mapped = /^\{[^]*?"type"\s*:\s*"(?:Feature|FeatureCollection|GeometryCollection|(?:Multi)?(?:Point|LineString|Polygon))"/u;
+
+export const beginsAsList = (text: string): boolean => listed.test(text) || mapped.test(text);
 
 /**
  * As JSON would have it: brackets of one kind, commas between, names in quotation marks, `null` for what is no number.
@@ -22,11 +25,10 @@ function asJson(text: string): string {
 }
 
 function parsed(text: string): unknown {
-  const json = asJson(text);
-  // Places one below the other are a list without its brackets.
-  for (const list of [json, `[${json}]`]) {
+  // What is JSON may have words in it, which are none of ours. Places one below the other are a list without brackets.
+  for (const written of [(): string => text, () => asJson(text), () => `[${asJson(text)}]`]) {
     try {
-      return JSON.parse(list);
+      return JSON.parse(written());
     } catch {
       continue;
     }
@@ -48,14 +50,23 @@ function pairOf(value: unknown): Pair | null {
 /** Null where a place has no two numbers. */
 type Places = readonly (Pair | null)[];
 
+/** Where GeoJSON has its places. */
+const placesOfMaps: ReadonlySet<string> = new Set(["features", "geometry", "geometries", "coordinates"]);
+
+function listsInObject(value: object): readonly Places[] {
+  const { x, y, type, coordinates } = value as { readonly x?: unknown; readonly y?: unknown; readonly type?: unknown; readonly coordinates?: unknown };
+  if (Array.isArray(x) && Array.isArray(y)) return [zipped(x, y)];
+  if (type === "Point") return [[pairOf(coordinates)]];
+  const entries = Object.entries(value);
+  const onMap = entries.filter(([name]) => placesOfMaps.has(name));
+  // Beside them stand boxes, and numbers that are known of a place.
+  return (onMap.length > 0 ? onMap : entries).flatMap(([, entry]) => listsIn(entry));
+}
+
 /** The lists of places in a value, however deep. */
 function listsIn(value: unknown): readonly Places[] {
   if (typeof value !== "object" || value === null) return [];
-  if (!Array.isArray(value)) {
-    const columns = value as { readonly x?: unknown; readonly y?: unknown };
-    if (Array.isArray(columns.x) && Array.isArray(columns.y)) return [zipped(columns.x, columns.y)];
-    return Object.values(value).flatMap(listsIn);
-  }
+  if (!Array.isArray(value)) return listsInObject(value);
   const all: readonly unknown[] = value;
   if (all.length >= 4 && all.length % 2 === 0 && all.every(isNumber)) return [Array.from({ length: all.length / 2 }, (_, i): Pair => [all[2 * i] as number, all[2 * i + 1] as number])];
   const pairs = all.map(pairOf);
@@ -73,11 +84,20 @@ function zipped(x: readonly unknown[], y: readonly unknown[]): Places {
 /** @throws Problem where that is no list of places. */
 export function readList(text: string): Strokes {
   const found = listsIn(parsed(text));
-  const lists = found.map((places) => places.filter((pair) => pair !== null)).filter((list) => list.length > 0);
-  if (lists.length === 0) throw new Problem("points-rows", { line: 1 });
+  const given = found.map((places) => places.filter((pair) => pair !== null)).filter((list) => list.length > 0);
+  if (given.length === 0) throw new Problem("points-rows", { line: 1 });
+  // A place on a map is none of its lines; where there are only places, they are one.
+  const lines = mapped.test(text) ? given.filter((list) => list.length > 1) : [];
+  const lists = lines.length > 0 ? lines : given;
   lists.flat().forEach(([x, y], i) => {
     if (!isCoordinate(x) || !isCoordinate(y)) throw new Problem("points-rows", { line: i + 1 });
   });
-  const gaps = found.flat().length - lists.flat().length;
-  return strokesOf(lists, gaps === 0 ? [] : [gaps === 1 ? "one place without two numbers was left out" : `${gaps} places without two numbers were left out`]);
+  return strokesOf(lists, [
+    ...leftOut(found.flat().length - given.flat().length, "place without two numbers", "places without two numbers"),
+    ...leftOut(given.length - lists.length, "place on no line", "places on no line"),
+  ]);
+}
+
+function leftOut(count: number, one: string, many: string): readonly string[] {
+  return count === 0 ? [] : [count === 1 ? `one ${one} was left out` : `${count} ${many} were left out`];
 }

@@ -8,5 +8,5 @@ export { beginsAsList, beginsAsTable };
 
 export function readPoints(text: string): Strokes {
   const bare = text.replace(/^\uFEFF/u, "");
-  return beginsAsList(bare.trimStart().slice(0, 200)) ? readList(bare) : readTable(bare);
+  return beginsAsList(bare.trimStart().slice(0, 2000)) ? readList(bare) : readTable(bare);
 }

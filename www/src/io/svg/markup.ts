@@ -23,7 +23,8 @@ export function rootOf(source: string, limits: SvgLimits): { readonly root: Elem
   // A part of a sprite is drawn where it is used; alone, it is what is meant.
   const made = htmlOf(`<svg>${loose.replace(/^<symbol\b/u, "<svg").replace(/<\/symbol>$/u, "</svg>")}</svg>`).querySelector("svg");
   // A page without a picture, or words.
-  return made?.querySelector([...shapeNames].join()) == null ? { root: strictRoot(text), isWhole: true } : { root: made, isWhole: false };
+  if (made?.querySelector([...shapeNames].join()) == null) throw noSvg();
+  return { root: made, isWhole: false };
 }
 
 /** Nothing in it runs or is fetched: the document is in no window. */
@@ -36,8 +37,12 @@ function strictRoot(text: string): Element {
   const root = parsed.documentElement;
   const broken = parsed.getElementsByTagName("parsererror")[0];
   if (broken !== undefined) throw notWellFormed(broken.textContent ?? "");
-  if (root.localName !== "svg") throw new SvgFileError("E_PARSE_SVG", "svg: the root element is not svg", { reason: "root" });
+  if (root.localName !== "svg") throw noSvg();
   return root;
+}
+
+function noSvg(): SvgFileError {
+  return new SvgFileError("E_PARSE_SVG", "svg: the root element is not svg", { reason: "root" });
 }
 
 function notWellFormed(report: string): SvgFileError {

@@ -6,7 +6,7 @@ import { icon } from "../controls/icons.ts";
 import type { Destination, Placement } from "../files/load.ts";
 import { problemText } from "../messages/file-errors.ts";
 
-const accepted = ".svg,.svgz,.json,.csv,.tsv,.dat,.xy,.txt,image/svg+xml,application/json,text/plain,text/csv,image/*";
+const accepted = ".svg,.svgz,.json,.geojson,.csv,.tsv,.dat,.xy,.txt,image/svg+xml,application/json,text/plain,text/csv,image/*";
 
 /** The controls of the import: where the drawing comes from, where it goes, and what was wrong with it. */
 export interface ImportForm {

@@ -6,6 +6,7 @@ import { documentPathD } from "../../kernel/paths/paths.ts";
 import { decimalsIn } from "../../document/unit.ts";
 import { unitOf } from "../../kernel/unit.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
+import type { Brought } from "../page-io.ts";
 import { printedKey, type Shell } from "../shell.ts";
 import { pasteCopy, rememberCopy } from "./clipboard.ts";
 import { naturalDestination, place, readWhole } from "./load.ts";
@@ -103,7 +104,9 @@ export async function receiveText(shell: Shell, text: string): Promise<void> {
   try {
     await takeIn(shell, text);
   } catch (error) {
-    report(shell, error);
+    // A part of a page that has no drawing in it is no broken one.
+    const isPage = error instanceof Problem && error.id === "svg-broken" && error.details.line === undefined;
+    report(shell, isPage ? new Problem("paste-unknown") : error);
   }
 }
 
@@ -125,29 +128,46 @@ function forTrace({ editor }: Shell, file: File, error: unknown): unknown {
   return strange ? new Problem("image-type", { name: error.details.name ?? file.name }) : error;
 }
 
-/** Opens one of several files; whether it was a picture. @throws Problem */
-async function receiveFile(shell: Shell, file: File): Promise<boolean> {
-  const incoming = await shell.io.readIncoming(file);
-  if (!("picture" in incoming)) await takeIn(shell, incoming.text);
-  else if (shell.editor.state.value.engine.status === "ready") {
-    await openPicture(shell, incoming.name, incoming.picture);
-    return true;
-  }
-  return false;
-}
+const mostFiles = 20;
 
 /**
- * Files from a drop or a paste, one after the other. The first picture is the last that is opened; what was refused is
- * said last, for good news would take it away.
+ * Files from a drop or a paste, one after the other: drawings first, then one picture, for it opens Trace. What was
+ * refused, and what was left, is said last, for good news would take it away.
  */
 export async function receiveFiles(shell: Shell, files: readonly File[]): Promise<void> {
-  const refused: unknown[] = [];
-  for (const file of files.slice(0, 20)) {
-    try {
-      if (await receiveFile(shell, file)) break;
-    } catch (error) {
-      refused.push(forTrace(shell, file, error));
-    }
+  const problems: unknown[] = [];
+  const attempt = async <T>(file: File, work: () => Promise<T>): Promise<T | null> => work().catch((error: unknown) => {
+    problems.push(forTrace(shell, file, error));
+    return null;
+  });
+  const pictures: { readonly file: File; readonly name: string; readonly picture: Blob }[] = [];
+  for (const file of files.slice(0, mostFiles)) {
+    await attempt(file, async () => {
+      const incoming = await shell.io.readIncoming(file);
+      if ("picture" in incoming) pictures.push({ file, ...incoming });
+      else await takeIn(shell, incoming.text);
+    });
   }
-  report(shell, ...refused);
+  let left = files.slice(mostFiles).length;
+  let isOpen = false;
+  for (const { file, name, picture } of pictures) {
+    if (isOpen) left += 1;
+    else if (shell.editor.state.value.engine.status === "ready") isOpen = await attempt(file, async () => (await openPicture(shell, name, picture), true)) ?? false;
+  }
+  report(shell, ...problems, ...(left === 0 ? [] : [new Problem("files-left", { count: left, most: mostFiles })]));
+}
+
+/** Beside a copied file some systems put its name on the clipboard, as text. */
+const fileName = /^[^\n]*\.[a-z]\w{1,4}\s*$/iu;
+
+/** Pixels on the clipboard come as a file of this name, which is nobody's. */
+function withoutStandIn(file: File): File {
+  return /^image\.(?:png|jpe?g|webp|gif|bmp)$/u.test(file.name) ? new File([file], "", { type: file.type }) : file;
+}
+
+/** Of what was brought, what was meant: a program that copies words or numbers may put a picture of them beside. */
+export function receive(shell: Shell, { pasted, files, text, page }: Brought): Promise<void> {
+  if (!pasted && files.length > 0) return receiveFiles(shell, files);
+  if (files.length > 0 && (text === "" || fileName.test(text))) return receiveFiles(shell, files.map(withoutStandIn));
+  return receiveText(shell, text || page);
 }

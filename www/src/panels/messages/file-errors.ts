@@ -17,6 +17,7 @@ const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> =
     : `${d.name ?? "The picture"} is ${d.width} × ${d.height ?? 0}; the limit is 40 MP. Scale it down and try again.`),
   "image-blank": (d) => `This browser returned no pixels for ${d.name ?? "the picture"}. Choose a smaller work size and try again.`,
   "file-type": (d) => `${d.name ?? "That file"} is not a file this page can read. Try a picture, SVG, a path, an expline JSON file, or points as x,y rows.`,
+  "files-left": (d) => `${d.count === 1 ? "1 file was" : `${d.count ?? 0} files were`} not opened: one picture at a time, and at most ${d.most ?? 0} files.`,
   "svg-broken": (d) => (d.line === undefined
     ? "The SVG could not be read: this is not an SVG document."
     : `The SVG could not be read: line ${d.line}, column ${d.column ?? 1}.`),
@@ -35,7 +36,7 @@ const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> =
   "json-version": (d) => `This file was made by a newer version (${d.version ?? "?"}). This page reads up to ${stateVersion}.`,
   "json-broken": (d) => `Not an expline file: ${d.field ?? "it is not JSON"}.`,
   "json-big": (d) => `The file is too large to open: ${d.field ?? "it"}.`,
-  "paste-unknown": () => "There is nothing here to draw. Paste an SVG, a path, points as x,y rows, or an expline file.",
+  "paste-unknown": () => "There is nothing here to draw. Paste an SVG (in drawing programs: Copy as SVG), a path, points as x,y rows, or an expline file.",
   "share-long": (d) => `The drawing is too large for a link (${d.kilobytes ?? 0} KB). Download the JSON instead.`,
   "part-missing": () => "The part of the page that does this could not be loaded. Check the connection, then try again.",
 };
