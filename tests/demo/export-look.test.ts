@@ -165,6 +165,22 @@ test("what the samples teach goes out as lines, and as areas when that is chosen
   assert.match((await saved(demo, "export-svg")).toString("utf8"), /<path [^>]*fill="#1b1f24" fill-rule="evenodd"\/>/u);
 });
 
+test("a picture without paper is in dark ink in the dark theme, too, as its SVG is; on paper it is as the stage", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", { colorScheme: "dark" });
+  await demo.byId("btn-export").click();
+  /** How bright its line is, from 0 to 255: the cells that are covered most. */
+  const lineOf = async (): Promise<number> => {
+    const inked = (await cellsOf(demo, "image/png", await saved(demo, "export-png"))).filter(([, , , opacity]) => opacity > 150);
+    return inked.length === 0 ? NaN : mean(inked.map(([red, green, blue]) => (red + green + blue) / 3).sort((a, b) => b - a).slice(0, 40));
+  };
+  await demo.byId("export-png-scale").selectOption("1");
+  const alone = await lineOf();
+  assert.ok(alone < 60, `as bright as ${alone}`);
+  await demo.byId("export-png-paper").selectOption("paper");
+  const onPaper = await lineOf();
+  assert.ok(onPaper > 120, `as bright as ${onPaper}`);
+});
+
 test("a file of a trace is as large as the picture, with everything in its place, and stays so through Curve and Fit", async (t) => {
   const demo = await open(t, "#/trace?sample=trace-logo");
   const sheet = async (): Promise<string> => {

@@ -19,7 +19,7 @@ export interface PageIo {
   gzippedSize(text: string): Promise<number>;
   writeSvg(options: FileLook & { title: string; d: string; box: Box | null }): Promise<string>;
   pngSize(subject: FileLook & { box: Box | null }, scale: number): Promise<{ readonly width: number; readonly height: number } | null>;
-  writePng(options: FileLook & { d: string; box: Box | null; scale: number; paper: string | null; stage?: { ink: string; fill: string } }): Promise<Blob | null>;
+  writePng(options: FileLook & { d: string; box: Box | null; scale: number; paper: string | null; stage?: { ink?: string; fill: string } }): Promise<Blob | null>;
   download(name: string, content: Blob): void;
   copyText(text: string | Promise<string>): Promise<boolean>;
   createAutosave(options: {

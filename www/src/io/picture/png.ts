@@ -9,8 +9,11 @@ export interface PngOptions extends Subject {
   readonly scale: number;
   /** Colour under the drawing; null leaves it transparent. */
   readonly paper: string | null;
-  /** A drawing as the stage shows it. Without, it looks as its SVG does: ink or lines, or `layers`. */
-  readonly stage?: { readonly ink: string; readonly fill: string };
+  /**
+   * A drawing as the stage shows it, in ink for any paper where it is on none. Without, it looks as its SVG does: ink
+   * or lines, or `layers`.
+   */
+  readonly stage?: { readonly ink?: string; readonly fill: string };
   readonly filling?: Filling;
 }
 
@@ -26,7 +29,7 @@ export interface PngPath {
 /** What is drawn, from the lowest up. */
 export function pngPaths({ d, stage, filled, filling, layers = [] }: PngOptions): PngPath[] {
   const rule = filling === "nonzero" ? filling : "evenodd";
-  if (stage !== undefined) return [{ d, ...(filling === "none" ? {} : { fill: { color: stage.fill, alpha: 0.08, rule } }), stroke: stage.ink }];
+  if (stage !== undefined) return [{ d, ...(filling === "none" ? {} : { fill: { color: stage.fill, alpha: 0.08, rule } }), stroke: stage.ink ?? inkOfFiles }];
   const area = (of: string, color = inkOfFiles): PngPath => ({ d: of, fill: { color, alpha: 1, rule } });
   const painted = ({ d: of, isLine, line, color }: PaintedPath): PngPath => ({
     ...(isLine === true ? { d: of, stroke: inkOfFiles } : area(of, color)),

@@ -39,7 +39,8 @@ export function pngGroup(shell: Shell, subject: PngSubject): PngGroup {
 
 function download({ editor, io, toasts }: Shell, { stem, d, box, look, asOnStage }: PngSubject): void {
   const colour = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const stage = asOnStage() ? { stage: { ink: colour("--curve"), fill: colour("--point") } } : {};
+  // Light ink of the dark theme is for dark paper: where there is none, nobody knows what the picture will lie on.
+  const stage = asOnStage() ? { stage: { ...(onPaper ? { ink: colour("--curve") } : {}), fill: colour("--point") } } : {};
   const paper = !onPaper ? null : asOnStage() ? colour("--canvas") : lightPaper;
   const name = `${stem}@${scale}x.png`;
   whenLoaded(editor, io.writePng({ d: d(), box, scale, paper, ...look(), ...stage }), (blob) => {
