@@ -358,7 +358,7 @@ test("letters on the canvas grow with the page's text", async (t) => {
   assert.match((await demo.page.evaluate(() => document.body.dataset["font"])) ?? "", /^24px /);
 });
 
-for (const options of [{ viewport: { width: 1440, height: 900 } }, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }]) {
+for (const options of [{ viewport: { width: 1440, height: 900 } }, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }, { viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true }]) {
   test(`at ${options.viewport.width} px with text twice as large neither the hint nor the zoom box lies over a drawing that was fitted`, async (t) => {
     const demo = await open(t, "", options);
     await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
@@ -379,3 +379,32 @@ for (const options of [{ viewport: { width: 1440, height: 900 } }, { viewport: {
     }
   });
 }
+
+test("with text twice as large on a phone the words about the Bézier do not lie over the circle", async (t) => {
+  for (const viewport of [{ width: 320, height: 568 }, { width: 390, height: 844 }]) {
+    const demo = await open(t, "", { viewport, hasTouch: true, isMobile: true });
+    await demo.page.evaluate(() => {
+      const { prototype } = CanvasRenderingContext2D;
+      const write = prototype.fillText;
+      prototype.fillText = function written(this: CanvasRenderingContext2D, ...given: Parameters<typeof write>) {
+        const [text, x, y] = given;
+        const [{ left, top }, { width }] = [this.canvas.getBoundingClientRect(), this.measureText(text)];
+        document.body.dataset["words"] = JSON.stringify([...JSON.parse(document.body.dataset["words"] ?? "[]"), { text, left: left + x, right: left + x + width, top: top + y - 16, bottom: top + y }]);
+        write.apply(this, given);
+      };
+      document.documentElement.style.fontSize = "200%";
+    });
+    await demo.still();
+    await demo.byId("zoom-out").click();
+    await demo.page.evaluate(() => { document.body.dataset["words"] = "[]"; });
+    await demo.byId("zoom-fit").click();
+    await demo.still();
+    const words = JSON.parse((await demo.page.evaluate(() => document.body.dataset["words"])) ?? "[]") as { text: string; left: number; right: number; top: number; bottom: number }[];
+    if (viewport.width > 320) assert.match(words.map(({ text }) => text).join(" "), /4-arc Bézier.*error × 500/u);
+    for (const [x, y] of await demo.sample(300)) {
+      const at = await demo.toScreen(x, y);
+      const over = words.find(({ left, right, top, bottom }) => at.x > left && at.x < right && at.y > top && at.y < bottom);
+      assert.equal(over, undefined, `${viewport.width} px: ${JSON.stringify([at, over])}`);
+    }
+  }
+});

@@ -140,6 +140,21 @@ test("on a phone that lies on its side the hint is below the lowest point, in tw
   }
 });
 
+test("on the smallest phone that lies on its side nothing lies over a drawing that was fitted, and nothing over anything else", async (t) => {
+  for (const sample of ["circle-2", "heart", "blob-16"]) {
+    const demo = await open(t, `#/curve?sample=${sample}`, { viewport: { width: 568, height: 320 }, hasTouch: true, isMobile: true });
+    const parts = await Promise.all([".stage-hint", ".stage-zoom", ".tools"].map(async (part) => ({ part, box: await demo.page.locator(part).boundingBox() ?? { x: 0, y: 0, width: 0, height: 0 } })));
+    for (const { part, box } of parts) {
+      assert.ok(box.width > 0 && box.height > 10, `${part} is there`);
+      for (const [x, y] of await demo.sample(300)) {
+        const at = await demo.toScreen(x, y);
+        assert.ok(at.x < box.x || at.x > box.x + box.width || at.y < box.y || at.y > box.y + box.height, `${sample}: ${part} lies over ${JSON.stringify(at)}`);
+      }
+      for (const other of parts) assert.ok(other.part === part || other.box.x >= box.x + box.width || other.box.x + other.box.width <= box.x || other.box.y >= box.y + box.height || other.box.y + other.box.height <= box.y, `${part} over ${other.part}`);
+    }
+  }
+});
+
 test("what the page says lies above the zoom box, with a finger's buttons, too", async (t) => {
   const demo = await open(t, "", { viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
   await demo.byId("btn-import").click();

@@ -102,38 +102,36 @@ function handlesOf({ settings, curve }: Scene["state"]): readonly Bounds[] {
 }
 
 /**
- * Outwards beside one of the places, else inwards, else in the middle, where the words lie across no curve, no handle
- * and none of `others`; where there is no such place, over paper.
+ * Outwards beside one of the places, else inwards, else in the middle, there in two lines, too, where the words lie
+ * across no curve, no handle and none of `others`; where there is no such place, the picture is worth more than they.
  */
 function label(scene: Scene, text: string, places: readonly { x: number; y: number }[], cubics: Float64Array, compared: readonly Ghost[], others: readonly Bounds[]): void {
   const context = inScreen(scene);
-  const { em, font, warn, canvas } = scene.palette;
+  const { em, font, warn } = scene.palette;
   const { stage, view } = scene.state;
   context.font = font;
-  const wide = context.measureText(text).width;
+  context.fillStyle = warn;
   const box = boxAround(cubics);
   const centre = onScreen(scene, { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 });
-  const beside = [[true, true], [true, false], [false, true], [false, false]].flatMap(([outwards, away]) => places.map((place) => {
-    const { x, y } = onScreen(scene, place);
-    return { x: (x >= centre.x) === outwards ? x + aside : x - aside - wide, y: (y >= centre.y) === away ? y + em + 4 : y - aside };
-  }));
-  const middle = { x: centre.x - wide / 2, y: centre.y + em / 3 };
-  const all = stage.width < narrow ? [middle, ...beside] : [...beside, middle];
   const boxes = [...others, ...handlesOf(scene.state)];
-  const isFree = ({ x, y }: { x: number; y: number }): boolean => {
-    if (x < aside || x + wide > stage.width - aside || y < em + aside || y > stage.height - aside) return false;
-    const [from, to] = [toPage(view, stage, { x: x - margin, y: y - em }), toPage(view, stage, { x: x + wide + margin, y: y + margin })];
-    const words = { minX: from.x, minY: from.y, maxX: to.x, maxY: to.y };
-    return !boxes.some((each) => overlap(each, words)) && !compared.some(({ path }) => overlap(boxAround(path), words) && crosses(path, words));
-  };
-  const found = all.find(isFree);
-  const { x, y } = found ?? { x: Math.max(aside, Math.min(stage.width - wide - aside, all[0]?.x ?? 0)), y: all[0]?.y ?? 0 };
-  if (found === undefined) {
-    context.fillStyle = canvas;
-    context.fillRect(x - margin, y - em, wide + 2 * margin, em + margin);
+  for (const lines of [[text], text.split(", ")]) {
+    const wide = Math.max(...lines.map((line) => context.measureText(line).width));
+    const more = (lines.length - 1) * 1.25 * em;
+    const beside = [[true, true], [true, false], [false, true], [false, false]].flatMap(([outwards, away]) => places.map((place) => {
+      const { x, y } = onScreen(scene, place);
+      return { x: (x >= centre.x) === outwards ? x + aside : x - aside - wide, y: (y >= centre.y) === away ? y + em + 4 : y - aside };
+    }));
+    const middle = { x: centre.x - wide / 2, y: centre.y + em / 3 - more / 2 };
+    const all = lines.length > 1 ? [middle] : stage.width < narrow ? [middle, ...beside] : [...beside, middle];
+    const isFree = ({ x, y }: { x: number; y: number }): boolean => {
+      if (x < aside || x + wide > stage.width - aside || y < em + aside || y + more > stage.height - aside) return false;
+      const [from, to] = [toPage(view, stage, { x: x - margin, y: y - em }), toPage(view, stage, { x: x + wide + margin, y: y + more + margin })];
+      const words = { minX: from.x, minY: from.y, maxX: to.x, maxY: to.y };
+      return !boxes.some((each) => overlap(each, words)) && !compared.some(({ path }) => overlap(boxAround(path), words) && crosses(path, words));
+    };
+    const found = all.find(isFree);
+    if (found !== undefined) return lines.forEach((line, i) => context.fillText(line, found.x, found.y + i * 1.25 * em));
   }
-  context.fillStyle = warn;
-  context.fillText(text, x, y);
 }
 
 function crosses(cubics: Float64Array, box: Bounds): boolean {
