@@ -226,3 +226,30 @@ test("a comb leaves out what has no curvature, a segment without extent, and the
   assert.ok((await demo.changedPixels(before, await demo.pixels())) > 500, "the comb of the other segments");
   assert.deepEqual(demo.complaints, []);
 });
+
+test("on paper there is the drawing alone, all of it", async (t) => {
+  const demo = await open(t, "#/curve?sample=glyph");
+  // As wide as a sheet: the page has its panel over the stage there.
+  await demo.page.setViewportSize({ width: 794, height: 1123 });
+  await demo.page.emulateMedia({ media: "print" });
+  await demo.still();
+  for (const part of [".header", ".rail", ".panel", ".status", ".stage-hint", ".stage-zoom"]) assert.equal(await demo.page.locator(part).isVisible(), false, part);
+  const [canvas, fit] = await demo.page.locator("canvas.stage-canvas").evaluate((element) => [element.getBoundingClientRect(), getComputedStyle(element).objectFit] as const);
+  assert.deepEqual([canvas.left, canvas.top, canvas.width, canvas.height, fit], [0, 0, 794, 1123, "contain"]);
+});
+
+test("a surface on paper is as it is on the screen, and not black", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-sphere");
+  // What the graphics card was given is shown, and then gone.
+  await demo.page.waitForTimeout(200);
+  const black = await demo.page.evaluate(() => {
+    const solid = document.querySelector<HTMLCanvasElement>("canvas.stage-solid");
+    if (solid === null) return NaN;
+    const copy = new OffscreenCanvas(solid.width, solid.height).getContext("2d");
+    window.dispatchEvent(new Event("beforeprint"));
+    copy?.drawImage(solid, 0, 0);
+    const { data } = copy?.getImageData(0, 0, solid.width, solid.height) ?? { data: [] };
+    return Array.from(data).filter((value, i) => i % 4 === 1 && value < 8).length / (data.length / 4);
+  });
+  assert.ok(black < 0.1, `${(100 * black).toFixed(0)} % are black`);
+});

@@ -56,24 +56,24 @@ const vertexParts = [["positions", "position", 3], ["normals", "normal", 3], ["p
 /** `lost` is told when the graphics card takes the context away and when it gives it back. */
 export function createShadedView(canvas: HTMLCanvasElement, lost: (gone: boolean) => void): ShadedView | null {
   const context = canvas.getContext("webgl2", { antialias: true, alpha: false, powerPreference: "low-power" });
-  return context === null ? null : new Shaded(new WebGLRenderer({ canvas, context, antialias: true }), watchContext(canvas, lost));
+  if (context === null) return null;
+  const life = new AbortController();
+  watchContext(canvas, lost, life.signal);
+  return new Shaded(new WebGLRenderer({ canvas, context, antialias: true }), life);
 }
 
-/** Gives back what ends it. */
-function watchContext(canvas: HTMLCanvasElement, lost: (gone: boolean) => void): () => void {
-  const over = new AbortController();
+function watchContext(canvas: HTMLCanvasElement, lost: (gone: boolean) => void, signal: AbortSignal): void {
   // The default is to give up: a context that was lost comes back only to those who say that they wait for it.
   canvas.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
     lost(true);
-  }, { signal: over.signal });
-  canvas.addEventListener("webglcontextrestored", () => lost(false), { signal: over.signal });
-  return () => over.abort();
+  }, { signal });
+  canvas.addEventListener("webglcontextrestored", () => lost(false), { signal });
 }
 
 class Shaded implements ShadedView {
   readonly #renderer: WebGLRenderer;
-  readonly #unwatch: () => void;
+  readonly #life: AbortController;
   readonly #scene = new Scene();
   readonly #camera = new PerspectiveCamera((opening * 180) / Math.PI, 1, 0.01, 1000);
   readonly #uniforms = freshUniforms();
@@ -88,9 +88,11 @@ class Shaded implements ShadedView {
   readonly #clear = new Color();
   #shown: SurfaceMesh | null = null;
 
-  constructor(renderer: WebGLRenderer, unwatch: () => void) {
+  constructor(renderer: WebGLRenderer, life: AbortController) {
     this.#renderer = renderer;
-    this.#unwatch = unwatch;
+    this.#life = life;
+    // The graphics card forgets what it has shown: on paper it would be black.
+    window.addEventListener("beforeprint", () => this.#render(), { signal: life.signal });
     this.#camera.up.set(0, 0, 1);
     for (const side of this.#sides) side.frustumCulled = false;
     this.#scene.add(...this.#sides);
@@ -103,11 +105,15 @@ class Shaded implements ShadedView {
     this.#look(picture);
     this.#put(picture.mesh);
     this.#style(picture);
+    this.#render();
+  }
+
+  #render(): void {
     this.#renderer.render(this.#scene, this.#camera);
   }
 
   dispose(): void {
-    this.#unwatch();
+    this.#life.abort();
     this.#geometry.dispose();
     for (const { material } of this.#sides) material.dispose();
     this.#renderer.dispose();
