@@ -51,8 +51,8 @@ impl LayerTracer {
     pub fn new(layers: Layers, options: &TraceOptions) -> Self {
         let (order, visible) = drawn(&layers);
         let source = Source::Brightness;
-        // Crumbs of mixtures are as small as dots.
-        let speckle = Some(options.least());
+        // Crumbs of mixtures are as small as dots, but between two there are none.
+        let speckle = if order.len() > 2 { Some(options.least()) } else { options.speckle };
         let options = TraceOptions { source, threshold: None, inverted: false, speckle, ..*options };
         Self {
             layers,

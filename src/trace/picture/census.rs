@@ -1,7 +1,7 @@
 //! A count of the pixels of a picture that show a colour.
 
 use super::hues::{Edges, is_bled};
-use super::mixture::{is_like, is_on_edge};
+use super::mixture::{Premultiplied, is_like, is_on_edge, squared};
 use super::palette::{Item, MOST_COLORS, palette_of};
 use super::tint::{Color, Tint};
 use crate::error::Result;
@@ -18,6 +18,8 @@ const CLEAR_BITS: u32 = 4;
 /// A pixel that is like its neighbours counts for as many in the middle of something thin, which mostly show more than
 /// one colour.
 const FLAT: u64 = 4;
+/// A pixel at the end of so many that are the same, in a row or a column, is one of a line that was drawn along it.
+const RULED: u8 = 12;
 /// Rows that say which pixels of the one in the middle show a colour.
 const ROWS: usize = 5;
 
@@ -45,6 +47,8 @@ pub struct Census {
     bins: Vec<Bin>,
     /// The last rows. The one in the middle is counted next, once those below have come.
     window: [Vec<u8>; ROWS],
+    /// How many pixels above each of that row are the same.
+    runs: Vec<u8>,
     edges: Edges,
 }
 
@@ -58,7 +62,9 @@ impl Census {
         let count = (1 << (3 * BITS)) + (1 << (3 * CLEAR_BITS));
         let mut bins = with_room(count)?;
         bins.resize(count, Bin::default());
-        Ok(Self { width, bins, window: Default::default(), edges: Edges::default() })
+        let mut runs = with_room(width)?;
+        runs.resize(width, 0);
+        Ok(Self { width, bins, window: Default::default(), runs, edges: Edges::default() })
     }
 
     /// More rows, from red, green, blue and opacity, a byte each.
@@ -80,11 +86,17 @@ impl Census {
         let rows = self.window.each_ref().map(|row| row.as_chunks::<4>().0);
         let row = rows[ROWS / 2];
         self.edges.count(row);
-        for (column, pixel) in row.iter().enumerate() {
+        let mut along = 0;
+        for ((column, pixel), down) in row.iter().enumerate().zip(&mut self.runs) {
+            let longer = |run: u8, before: Option<&[u8; 4]>| {
+                if before == Some(pixel) { run.saturating_add(1) } else { 0 }
+            };
+            along = longer(along, row.get(column.wrapping_sub(1)));
+            *down = longer(*down, rows[ROWS / 2 - 1].get(column));
             if pixel[3] < FAINT {
                 continue;
             }
-            let (weight, is_bled, is_inner) = weight(&rows, column);
+            let (weight, is_bled, is_inner) = weight(&rows, column, [*down, along]);
             // A share of a colour says which one that is, if nothing else does.
             let bin = &mut self.bins[index(pixel, weight > 0)];
             bin.all += 1;
@@ -161,9 +173,9 @@ fn around(rows: &[&[[u8; 4]]; ROWS], column: usize, reach: usize) -> [[u8; 4]; 4
     [or(left, right), or(right, left), or(above, below), or(below, above)]
 }
 
-/// What a pixel counts for, by the rows around it, whether it is on an edge of hues, and whether all is alike around
-/// it.
-fn weight(rows: &[&[[u8; 4]]; ROWS], column: usize) -> (u64, bool, bool) {
+/// What a pixel counts for, by the rows around it and by how many above it and on its left are the same, whether it is
+/// on an edge of hues, and whether all is alike around it.
+fn weight(rows: &[&[[u8; 4]]; ROWS], column: usize, runs: [u8; 2]) -> (u64, bool, bool) {
     let pixel = rows[ROWS / 2][column];
     let near = around(rows, column, 1);
     if near == [pixel; 4] {
@@ -183,6 +195,13 @@ fn weight(rows: &[&[[u8; 4]]; ROWS], column: usize) -> (u64, bool, bool) {
     }
     let is_bled =
         is_bled(&color, &near) || is_bled(&color, &around(rows, column, 2).map(|far| far.map(i32::from)));
+    // Ruled lines of one pixel are as flat as what is broader, if they are beside something else on both sides: what
+    // two rows share of a line has the other half on one side.
+    let is_ruled = |(run, across): (u8, &[Premultiplied])| {
+        let step = squared(&across[0], &across[1]);
+        run >= RULED && across.iter().all(|side| squared(&color, side) > step)
+    };
+    let is_flat = is_flat || runs.into_iter().zip(near.chunks_exact(2)).any(is_ruled);
     (if is_flat { FLAT } else { 1 }, is_bled, false)
 }
 

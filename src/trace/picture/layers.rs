@@ -1,7 +1,7 @@
 //! Pictures of a few flat colours: how much of which colour every pixel has (D 14.20).
 
 use super::gray::count;
-use super::mixture::{Mixture, Premultiplied, Seam, is_like, is_on_edge, premultiplied, squared};
+use super::mixture::{Mixture, Premultiplied, Seam, is_between, is_like, is_on_edge, premultiplied, squared};
 use super::palette::MOST_COLORS;
 use super::tint::{Color, Tint};
 use crate::error::{Error, Result};
@@ -26,6 +26,8 @@ const SEAM: f64 = 4.0 * 4.0;
 const NEARER: f64 = 8.0;
 /// How much less a difference in light counts than one in hue, where something is thin.
 const SHADE: f64 = 0.9;
+/// How much a colour counts that is farther away than what is seen of something thin.
+const AWAY: f64 = 0.02;
 /// Alike neighbours of a pixel that is not on an edge.
 const ALIKE: usize = 4;
 
@@ -320,12 +322,67 @@ impl LayerRows {
             return best;
         }
         if label != NONE {
-            return (label, label, 0.0);
+            return self.edge_of_thin(near, row, column).unwrap_or((label, label, 0.0));
         }
         // Something thin, that is flat nowhere: with what is around it, or alone. Its hue is truer than how dark it is.
         let all = 0..self.layers.palette.len() as u8;
         let mut pairs = all.flat_map(|b| near.iter().map(move |&a| (a, b)).chain([(b, b)]));
         self.nearest_mixture(pixel, f64::INFINITY, SHADE, &mut pairs).unwrap_or((0, 0, 0.0))
+    }
+
+    /// What a pixel that has a colour of the palette is made of all the same: beside something thin that is darker, or
+    /// lighter, it shows some of that. Not in a line of its colour.
+    fn edge_of_thin(&self, near: &[u8], row: usize, column: usize) -> Option<(u8, u8, f64)> {
+        if self.is_in_line(row, column) {
+            return None;
+        }
+        let (pixel, palette) = (&self.window[row % KEPT].pixels[column], &self.layers.palette);
+        let beyond = self.beyond(near, row, column)?;
+        let (mut best, mut least) = (None, f64::INFINITY);
+        for (&a, b) in near.iter().flat_map(|a| (0..palette.len() as u8).map(move |b| (a, b))) {
+            let [from, to] = [a, b].map(|label| &palette[usize::from(label)]);
+            let [here, there] = [pixel, beyond].map(|pixel| Mixture::new(pixel, from, to));
+            let off = |mixture: &Mixture| mixture.gap - SHADE * mixture.light;
+            let gap = off(&here) + off(&there) + AWAY * f64::from(squared(beyond, to));
+            if gap < least {
+                (best, least) = (Some((a, b, here.share)), gap);
+            }
+        }
+        best
+    }
+
+    /// The neighbour that is farthest from a colour nearby, of those that a pixel is between that colour and.
+    fn beyond(&self, near: &[u8], row: usize, column: usize) -> Option<&Premultiplied> {
+        let columns = column.saturating_sub(1)..=(column + 1).min(self.layers.width - 1);
+        let pixel = &self.window[row % KEPT].pixels[column];
+        let (mut best, mut farthest) = (None, 0);
+        for &ground in near {
+            let ground = &self.layers.palette[usize::from(ground)];
+            for other in self.around(row, 1).flat_map(|row| &self.window[row % KEPT].pixels[columns.clone()])
+            {
+                let far = squared(ground, other);
+                if far > farthest && is_between(pixel, ground, other, MIXED) {
+                    (best, farthest) = (Some(other), far);
+                }
+            }
+        }
+        best
+    }
+
+    /// Whether a pixel has the colour of two on opposite sides, and is not on an edge. Beyond the border all is as it
+    /// is here.
+    fn is_in_line(&self, row: usize, column: usize) -> bool {
+        let label = |row: usize, column: usize| self.window[row % KEPT].labels[column];
+        let (rows, left, right) =
+            (self.around(row, 1), column.saturating_sub(1), (column + 1).min(self.layers.width - 1));
+        let (above, below) = (*rows.start(), *rows.end());
+        let sides = [
+            [label(row, left), label(row, right)],
+            [label(above, column), label(below, column)],
+            [label(above, left), label(below, right)],
+            [label(below, left), label(above, right)],
+        ];
+        sides.contains(&[label(row, column); 2]) && !self.is_on_edge(row, column)
     }
 
     /// The colours that lie flat around a pixel. One that shows itself nowhere there, and is a mixture of two others,

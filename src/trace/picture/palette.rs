@@ -68,9 +68,33 @@ struct Found {
 }
 
 /// At most `most` colours, those of most pixels first. Every colour after the first is the one that most pixels are far
-/// from; then k-means \[Llo82\], in Oklab \[Ott20\], where distances are what eyes see.
+/// from; then k-means \[Llo82\], in Oklab \[Ott20\], where distances are what eyes see. Where some of them turn out to
+/// be mixtures, there is room for pure ones that are nearer to others.
 pub(super) fn palette_of(items: &mut [Item], most: usize) -> Vec<Tint> {
-    let mut centers = seeds(items, most);
+    let mut centers: Vec<[f64; 3]> = Vec::new();
+    add_seeds(items, &mut centers, most, false);
+    let mut colors = colors_around(items, centers.clone());
+    let first = centers.len();
+    if colors.len() < most {
+        add_seeds(items, &mut centers, MOST_COLORS, true);
+    }
+    if centers.len() > first {
+        colors = colors_around(items, centers);
+        colors.truncate(most);
+    }
+    // Few of them: the heaviest first by insertion.
+    for i in 1..colors.len() {
+        let mut k = i;
+        while k > 0 && colors[k - 1].weight < colors[k].weight {
+            colors.swap(k - 1, k);
+            k -= 1;
+        }
+    }
+    colors.into_iter().map(|found| found.color).collect()
+}
+
+/// The colours of the clusters that settle from those centres, in their order.
+fn colors_around(items: &mut [Item], mut centers: Vec<[f64; 3]>) -> Vec<Found> {
     for _ in 0..ROUNDS {
         settle(items, &mut centers);
     }
@@ -91,47 +115,36 @@ pub(super) fn palette_of(items: &mut [Item], most: usize) -> Vec<Tint> {
         }
     }
     leave_mixtures_out(&mut colors);
-    // Few of them: the heaviest first by insertion.
-    for i in 1..colors.len() {
-        let mut k = i;
-        while k > 0 && colors[k - 1].weight < colors[k].weight {
-            colors.swap(k - 1, k);
-            k -= 1;
-        }
-    }
-    colors.into_iter().map(|found| found.color).collect()
+    colors
 }
 
 fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum()
 }
 
-/// The first centres: the heaviest bin, then the one that counts most by its pixels and its distance from all before.
-/// Where there is room left, pure ones may be nearer to each other.
-fn seeds(items: &mut [Item], most: usize) -> Vec<[f64; 3]> {
-    let mut centers: Vec<[f64; 3]> = Vec::new();
+/// More centres: the heaviest bin, then the one that counts most by its pixels and its distance from all before; or
+/// pure ones, which may be nearer to each other.
+fn add_seeds(items: &mut [Item], centers: &mut Vec<[f64; 3]>, most: usize, must_be_pure: bool) {
+    let apart = if must_be_pure { APART_PURE } else { APART };
     let mut weak = 0;
-    for (apart, must_be_pure) in [(APART, false), (APART_PURE, true)] {
-        while centers.len() < most && weak < MOST_WEAK {
-            let Some(best) = farthest(items, apart) else { break };
-            let lab = items[best].lab;
-            let is_seed = if must_be_pure {
-                is_pure_beside_pure(items, best)
-            } else {
-                centers.is_empty() || weight_around(items, &lab, CORE) >= LEAST
-            };
-            if !is_seed {
-                items[best].is_weak = true;
-                weak += 1;
-                continue;
-            }
-            centers.push(lab);
-            for item in items.iter_mut() {
-                item.gap = item.gap.min(distance(&item.lab, &lab));
-            }
+    while centers.len() < most && weak < MOST_WEAK {
+        let Some(best) = farthest(items, apart) else { break };
+        let lab = items[best].lab;
+        let is_seed = if must_be_pure {
+            is_pure_beside_pure(items, best)
+        } else {
+            centers.is_empty() || weight_around(items, &lab, CORE) >= LEAST
+        };
+        if !is_seed {
+            items[best].is_weak = true;
+            weak += 1;
+            continue;
+        }
+        centers.push(lab);
+        for item in items.iter_mut() {
+            item.gap = item.gap.min(distance(&item.lab, &lab));
         }
     }
-    centers
 }
 
 /// The bin that counts most by its pixels and its distance from all centres, of those that are so far from them.
