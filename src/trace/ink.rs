@@ -20,6 +20,7 @@ use super::picture::contour::{Contour, ContourScan};
 use super::picture::gray::Gray;
 use super::picture::lifting::Lifting;
 use super::picture::light::Evening;
+use super::picture::ridges::Ridges;
 use super::picture::tones::{ToneScan, Tones};
 use super::quality::Quality;
 use super::refinement::field::Shading;
@@ -57,6 +58,8 @@ pub(super) struct InkWork {
     blurring: Option<Blurring>,
     /// What lifts thin strokes beside others meanwhile, and whether it did.
     lifting: Option<Lifting>,
+    /// And what lifts them in noise.
+    ridges: Option<Ridges>,
     lifted: bool,
     found: Vec<Contour>,
     /// Whether the contour that is looked at goes between pixels of two tones by now.
@@ -140,6 +143,7 @@ impl InkWork {
             nearness: [Nearness { slack: Quality::Clean.slack(), bow: 0.0 }; 2],
             blurring: None,
             lifting: None,
+            ridges: None,
             lifted: false,
             found: Vec::new(),
             between: false,

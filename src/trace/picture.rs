@@ -14,6 +14,7 @@ pub(super) mod light;
 mod mixture;
 pub(super) mod palette;
 pub(super) mod pitch;
+pub(super) mod ridges;
 pub(super) mod shape;
 pub(super) mod softness;
 pub(super) mod steps;
