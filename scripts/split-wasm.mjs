@@ -61,7 +61,6 @@ const STREAMS = [
   ["get v128", V128],
   ["get f64", F64],
   ["get i32", I32],
-  ["align", LEB],
   ["get i64", I64],
   ["lane", 1],
   ["set i64", I64],
@@ -71,7 +70,6 @@ const STREAMS = [
   ["set i32", I32],
   ["table", COUNTED],
   ["operations", 1],
-  ["type", 1],
   ["global", LEB],
   ["vector", 16],
   ["single", 4],
@@ -97,6 +95,19 @@ const TYPE_NAMES = new Map([[I32, "i32"], [F64, "f64"], [V128, "v128"], [I64, "i
 const USES = new Map([[0x6a, "summand"], [0x6b, "summand"], [0x74, "shift to the left"], [0x75, "shift to the right"], [0x76, "shift to the right"]]);
 /** As are offsets of what is 4 or 8 bytes long. */
 const KINDS_OF_MEMORY = new Map([[0x28, "offset of integer"], [0x36, "offset of integer"], [0x2b, "offset of double"], [0x39, "offset of double"], [0xfd, "offset of vector"]]);
+
+/**
+ * What is a part of its operation: what says what kind of operation it is, and the numbers that stand with some
+ * operations far more often than with others, so that a run of operations is found again with them.
+ */
+const PARTS = new Map([
+  ["type", () => true],
+  ["lane", () => true],
+  ["branch", ([byte]) => byte === 0],
+  ["integer", ([byte]) => byte === 0 || byte === 1 || byte === 0x7f],
+  ["long", ([byte]) => byte === 0 || byte === 1],
+  ["double", (bytes) => [0, 1].includes(new Float64Array(Uint8Array.from(bytes).buffer)[0])],
+]);
 
 function counted(bytes) {
   if (bytes.length > LONGEST_ITEM) throw new Error(`an item has ${bytes.length} bytes: too long for one byte of length`);
@@ -150,6 +161,7 @@ function operation(each, next, recency) {
   if (kind === "local") return { code, items: [recency.use(code[0], numberOf(operands[0][1]))] };
   if (next === undefined) return { code, items: [["end", []]] };
   const plain = bytesOf(each);
+  if (operands.length > 0 && operands.every(([stream, bytes]) => PARTS.get(stream)?.(bytes))) return { code: plain, items: [], plain };
   if (kind === "align") return aligned(each, plain);
   if (kind === "integer") return { code, items: [[USES.get(next.code[0]) ?? kind, operands[0][1]]], plain };
   const items = operands.map(([stream, bytes]) => [stream, MODES.get(stream) === COUNTED ? counted(bytes) : bytes]);
