@@ -1,14 +1,14 @@
 // The wasm as text inside JavaScript, so that the package starts with no await and no second request.
 //
 // The wasm is sorted into streams first (split-wasm.mjs), and what the core's streams have too is copied from there
-// (copy-runs.mjs). Then, one character per byte, byte b becomes the code point (b + shift) mod 256. In UTF-8 that
-// compresses to a few per cent more than the bytes themselves, where base64 costs a third. Shift and quote are those
-// for which the text is smallest after gzip.
+// (copy-runs.mjs). Then, one character per byte, the frequent bytes become the code points that UTF-8 writes as one byte,
+// the others those of two. That compresses to a few per cent more than the bytes themselves, where base64 costs a third.
+// Which code point is the first, and the quote, are those for which the text is smallest after gzip.
 
 import { gzipSync } from "node:zlib";
 
 import { withRuns } from "./copy-runs.mjs";
-import { STREAMS, decoderBytes } from "./decoder.mjs";
+import { FREQUENT, STREAMS, decoderBytes } from "./decoder.mjs";
 import { withNumberedLocals } from "./number-locals.mjs";
 import { splitWasm } from "./split-wasm.mjs";
 
@@ -18,9 +18,8 @@ const TRIED = 8;
 /** The shortest runs that are worth copying from the core: the best is taken. */
 const SHORTEST_RUNS = [16, 20, 24, 32];
 
-/** How a byte is written after the shift, inside the given quotes. */
-function written(byte, shift, quote) {
-  const code = (byte + shift) & 255;
+/** How a code point is written inside the given quotes. */
+function written(code, quote) {
   const character = String.fromCharCode(code);
   if (code === 0) return "\\x00"; // legal in a literal, but makes tools take the file for a binary one
   if (code === 13) return "\\r";
@@ -29,16 +28,24 @@ function written(byte, shift, quote) {
   return character;
 }
 
-const alphabet = (shift, quote) => Array.from({ length: 256 }, (_, byte) => written(byte, shift, quote));
+/** The code point of each byte, as the decoder reads them: from which on the frequent ones are. */
+function codesFrom(shift) {
+  const isFrequent = (byte) => byte < FREQUENT || byte % 8 === 0;
+  let [frequent, other] = [shift, 128];
+  return Array.from({ length: 256 }, (_, byte) => (isFrequent(byte) ? frequent++ % 128 : other++));
+}
+
+/** Those of the decoder itself, which JavaScript reads. */
+const codesAfter = (shift) => Array.from({ length: 256 }, (_, byte) => (byte + shift) & 255);
 
 /** The smallest literal of the bytes, and the shift that it was made with, of so many that are tried with gzip. */
-function smallestLiteral(bytes, tried = TRIED) {
+function smallestLiteral(bytes, codes, tried) {
   const counts = new Float64Array(256);
   for (const byte of bytes) counts[byte] += 1;
   const candidates = [];
   for (let shift = 0; shift < 256; shift++) {
     for (const quote of QUOTES) {
-      const letters = alphabet(shift, quote);
+      const letters = codes(shift).map((code) => written(code, quote));
       const length = letters.reduce((sum, letter, byte) => sum + counts[byte] * Buffer.byteLength(letter), 0);
       candidates.push({ shift, quote, letters, length });
     }
@@ -65,7 +72,7 @@ export const DECODER_TEXT = "$d";
 
 /** The module with the decoder's bytes, one character each, and its literal. */
 export async function decoderModule() {
-  const { text, shift } = smallestLiteral(await decoderBytes(), Number.POSITIVE_INFINITY);
+  const { text, shift } = smallestLiteral(await decoderBytes(), codesAfter, Number.POSITIVE_INFINITY);
   const code = `export const decoder = () => ${DECODER_TEXT};\nexport const SHIFT = ${shift};\nexport const STREAMS = ${STREAMS};\n`;
   const declarations = `/** The wasm that reads inlined wasm, one character each byte. */
 export declare function decoder(): string;
@@ -104,7 +111,7 @@ export async function inlined(wasm, core) {
   const size = (bytes) => gzipSync(bytes, { level: 9 }).length;
   const candidates = core === undefined ? [withRuns(streams, [], 1)] : SHORTEST_RUNS.map((shortest) => withRuns(streams, core.bytes, shortest));
   const bytes = candidates.reduce((best, next) => (size(next) < size(best) ? next : best));
-  const made = { ...smallestLiteral(bytes), room: streams.length + numbered.length, bytes, kinds };
+  const made = { ...smallestLiteral(bytes, codesFrom, TRIED), room: streams.length + numbered.length, bytes, kinds };
   if (!decoded(await decoderBytes(), made, core).equals(Buffer.from(numbered))) throw new Error("the inlined wasm is not what it was");
   return made;
 }
