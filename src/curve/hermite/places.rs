@@ -59,7 +59,7 @@ impl Places {
     pub(super) fn first_sample(&self, curve: &HermiteCurve, s: usize) -> usize {
         if let Some(segments) = self.even {
             return match self.each {
-                0 => (s as u64).saturating_mul(self.steps as u64).div_ceil(segments) as usize,
+                0 => (s as u64 * self.steps as u64).div_ceil(segments) as usize,
                 each => s * each,
             };
         }

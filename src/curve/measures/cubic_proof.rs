@@ -23,7 +23,7 @@ const COSINES: [f64; 4] = [1.0, 0.866_025_403_784_438_6, 0.5, 0.0];
 struct Looks {
     count: u32,
     /// Chebyshev coefficients beyond this one are bounded, not looked at.
-    degree: i32,
+    degree: u32,
     /// 1/cos(degree·π/2·count), rounded up.
     between: f64,
 }
@@ -76,7 +76,7 @@ fn largest_look(piece: &Piece, cubic: &Cubic, sigma: &[f64; DEGREE + 1], middle:
 }
 
 /// What the Chebyshev coefficients of E beyond that degree add up to at most.
-fn tail(piece: &Piece, cubic: &Cubic, sigma: &[f64; DEGREE + 1], middle: f64, degree: i32) -> f64 {
+fn tail(piece: &Piece, cubic: &Cubic, sigma: &[f64; DEGREE + 1], middle: f64, degree: u32) -> f64 {
     let jet = piece.jet(middle);
     let [p0, p1, p2, p3] = *cubic;
     let constant = norm((p0 + p3 + (p1 + p2) * 3.0) * 0.125 - jet.position);
@@ -90,7 +90,9 @@ fn tail(piece: &Piece, cubic: &Cubic, sigma: &[f64; DEGREE + 1], middle: f64, de
         let [arc, _] = piece.within(&jet, middle, reach);
         let x = 0.5 * (rho + 1.0 / rho);
         let largest = arc + constant + x * (linear + x * (second + x * third));
-        least = least.min(2.0 * largest / (rho.powi(degree) * (rho - 1.0)));
+        // Exact: these are whole numbers below 2⁵³ or powers of two.
+        let power = (0..degree).fold(1.0, |power, _| power * rho);
+        least = least.min(2.0 * largest / (power * (rho - 1.0)));
     }
     least
 }
