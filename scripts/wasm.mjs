@@ -23,6 +23,9 @@ const ADDRESSES = "--low-memory-unused";
  */
 const NOT_INLINED = ["-fimfs=0", "-aimfs=0", "-ocimfs=0"];
 
+/** Data stay whole: the zeros between them are less after compression than where the parts begin would be. */
+const WHOLE_DATA = "--skip-pass=memory-packing";
+
 /** Features change what the crate is: with a folder for each kind none is built anew because another was. */
 const target = ({ name }) => (name === "core" ? "target" : `target/${name}`);
 
@@ -91,7 +94,7 @@ async function bind(kind) {
     await run("node", [at("scripts/snip.mjs"), at(BOUND, `${file}_bg.wasm`), at(BOUND, `${file}_snipped.wasm`)]);
     await run("node", [
       at("node_modules/binaryen/bin/wasm-opt"),
-      ...["-O3", ADDRESSES, ...(inline === 0 ? NOT_INLINED : []), "--reorder-functions-by-name", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
+      ...["-O3", ADDRESSES, WHOLE_DATA, ...(inline === 0 ? NOT_INLINED : []), "--reorder-functions-by-name", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
       ...[at(BOUND, `${file}_snipped.wasm`), "-o", at(BINDINGS, `${file}_bg.wasm`)],
     ]);
   });
