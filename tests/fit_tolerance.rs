@@ -308,3 +308,64 @@ fn a_smooth_curve_has_few_pieces_where_a_search_misses_its_tolerance() {
         }
     }
 }
+
+/// How far the curve is from the lines between the points, at most: it may swing nowhere.
+fn beyond_lines(fitted: &Fit, points: &[Point]) -> f64 {
+    let (start, end) = fitted.curve.domain();
+    let at = |i: u32| start + (end - start) * f64::from(i) / 4000.0;
+    let far =
+        |place: Point| points.windows(2).map(|e| beside(e[0], e[1], place)).fold(f64::INFINITY, f64::min);
+    (0..=4000).map(|i| far(fitted.curve.evaluate(at(i), 0).expect("fine"))).fold(0.0, f64::max).sqrt()
+}
+
+#[test]
+fn below_the_noise_a_curve_has_half_of_the_pieces_that_lines_take_and_follows_them() {
+    // The polyline with the fewest vertices was the answer, with its vertices rounded off where corners may not be: of
+    // these points up to four pieces for each that there is now.
+    for (count, tolerance) in [(500, 0.5), (1000, 0.7), (1000, 1.5), (2600, 1.0)] {
+        for corners in [true, false] {
+            let points = &noisy(&evenly(&outline(true), count), 1.0, 3 * count as u64)[..9 * count / 10];
+            let options = Options { closed: Some(false), corners, ..Options::default() };
+            let fitted = fit(points, Ask::Tolerance(tolerance), &options).expect("fitted");
+            assert_eq!(fitted.status, FitStatus::Converged);
+            let (pieces, lines) = (fitted.curve.segment_count(), lines(points, 0.98 * tolerance));
+            let what = format!(
+                "{count} points within {tolerance}, corners {corners}: {pieces} pieces, {lines} lines"
+            );
+            assert!(searched(&fitted, points) <= tolerance, "{what}");
+            assert!(5 * pieces <= 3 * lines, "{what}");
+            let beyond = beyond_lines(&fitted, points);
+            assert!(beyond <= 3.0 * tolerance, "{what}: {beyond} beside them");
+        }
+    }
+}
+
+/// A way that turns at random after each step of three.
+fn walk(count: usize, seed: u64) -> Vec<Point> {
+    let mut random = Random::new(seed);
+    let (mut place, mut way) = (Point::zeros(), 0.0);
+    let mut step = || {
+        way += 0.3 * random.normal();
+        place += Point::new(libm::cos(way), libm::sin(way)) * 3.0;
+        place
+    };
+    (0..count).map(|_| step()).collect()
+}
+
+#[test]
+fn a_rough_way_takes_half_of_the_pieces_that_lines_take() {
+    for (count, tolerance) in [(300, 1.0), (1500, 1.0), (1500, 3.0), (3000, 2.0)] {
+        for corners in [true, false] {
+            let points = walk(count, count as u64);
+            let options = Options { closed: Some(false), corners, ..Options::default() };
+            let fitted = fit(&points, Ask::Tolerance(tolerance), &options).expect("fitted");
+            assert_eq!(fitted.status, FitStatus::Converged);
+            let (pieces, lines) = (fitted.curve.segment_count(), lines(&points, 0.98 * tolerance));
+            let what = format!(
+                "{count} points within {tolerance}, corners {corners}: {pieces} pieces, {lines} lines"
+            );
+            assert!(searched(&fitted, &points) <= tolerance, "{what}");
+            assert!(2 * pieces <= lines, "{what}");
+        }
+    }
+}

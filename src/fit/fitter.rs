@@ -240,7 +240,7 @@ impl Fitter {
             && !spent
             && let Some(aim) = self.aim_without_corners()
         {
-            self.search(aim, false)?;
+            self.search(aim, false, matches!(self.ask, Ask::Tolerance(_)))?;
             done = false;
         }
         Ok(Progress { done, iteration, gap })

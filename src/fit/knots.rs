@@ -18,5 +18,6 @@ pub(super) mod sparsest;
 pub(super) mod spline;
 mod straight;
 mod stray;
+mod sweep;
 mod trim;
 mod window;

@@ -92,14 +92,14 @@ impl Fitter {
         let place = self.samples.center.amax() / self.samples.scale;
         let least = f64::EPSILON * (ROUNDINGS + place);
         let left = tolerance - report::rounding(&self.samples);
-        self.search(Aim::Tolerance((left / self.samples.scale).max(least)), self.options.corners)
+        self.search(Aim::Tolerance((left / self.samples.scale).max(least)), self.options.corners, true)
     }
 
     fn ask_mean_square(&mut self, square: f64, ask: &Ask) -> Result<()> {
         check("meanSquare", None, square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;
         self.locate(Purpose::Papers, ask)?;
         let unit = self.samples.scale * self.samples.scale;
-        self.search(Aim::Squares(square * report::weight(&self.located) / unit), self.options.corners)
+        self.search(Aim::Squares(square * report::weight(&self.located) / unit), self.options.corners, false)
     }
 
     fn ask_noise(&mut self, ask: &Ask) -> Result<()> {
@@ -112,7 +112,7 @@ impl Fitter {
         self.locate(purpose, ask)?;
         let noise = self.level.max(self.least_noise());
         let aim = if untold { Aim::Tolerance(noise) } else { Aim::Noise(noise) };
-        self.search(aim, self.options.corners)
+        self.search(aim, self.options.corners, false)
     }
 
     /// Whether nothing tells about the noise: points are few, or drawn.

@@ -100,7 +100,7 @@ impl Fitter {
     }
 
     #[inline(never)]
-    pub(super) fn search(&mut self, aim: Aim, cornered: bool) -> Result<()> {
+    pub(super) fn search(&mut self, aim: Aim, cornered: bool, sweeps: bool) -> Result<()> {
         let degree = self.options.degrees.last().copied().unwrap_or(3);
         let sharpest = match aim {
             Aim::Squares(_) => 1,
@@ -117,6 +117,8 @@ impl Fitter {
             spaced: self.even,
             free: false,
             timed: !self.options.parameters.is_empty(),
+            // What lies on sides that were filled up says where these are.
+            sweeps: sweeps && self.own.is_empty(),
         };
         if self.own.is_empty() && self.located_for == Some(Purpose::Clicks) {
             let smooth = Plan { sharpest: degree - 1, ..plan(1) };

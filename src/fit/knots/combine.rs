@@ -1,6 +1,7 @@
 //! Several splines as one of the highest degree: exactly, by polar forms.
 
 use super::breaks::{Breaks, HIGHEST};
+use super::look::Piece;
 use super::space::{Polynomial, Space};
 use super::spline::Spline;
 use crate::numerics::Vector;
@@ -69,16 +70,17 @@ pub(in crate::fit) fn combined(parts: &[Spline]) -> Option<Spline> {
 pub(super) fn expressed(space: Space, on: &dyn Fn(f64, f64) -> (Polynomial, Polynomial)) -> Spline {
     let degree = space.breaks.degree;
     let (mut x, mut y) = (vec![0.0; space.count], vec![0.0; space.count]);
-    let mut nearest = vec![f64::INFINITY; space.count];
+    let mut farthest = vec![f64::INFINITY; space.count];
     for (s, span) in space.spans.iter().enumerate() {
         let (px, py) = on(span.middle, span.half);
         for i in 0..=degree {
-            // The piece nearest to the middle of the function's support tells its coefficient best.
-            let off = (i as f64 - 0.5 * degree as f64).abs();
             let index = space.index(s, i);
-            if off < nearest[index] {
-                nearest[index] = off;
-                let knots = space.inner_knots(s, i);
+            let knots = space.inner_knots(s, i);
+            // The piece that is widest, and nearest to the knots, tells a coefficient best: a narrow one multiplies
+            // what its numbers are rounded by.
+            let far: f64 = knots[..degree].iter().map(|knot| (knot - span.middle).abs() / span.half).sum();
+            if far < farthest[index] {
+                farthest[index] = far;
                 x[index] = blossom(&px, degree, &knots, span.middle, span.half);
                 y[index] = blossom(&py, degree, &knots, span.middle, span.half);
             }
@@ -106,8 +108,30 @@ pub(super) fn sum_on(parts: &[Spline], middle: f64, half: f64, end: f64) -> (Pol
     (x, y)
 }
 
+/// The polynomials of a piece, whose parameters are middle ± half, on another such interval.
+#[inline(never)]
+pub(super) fn onto(
+    piece: &Piece,
+    [middle, half]: [f64; 2],
+    [onto, width]: [f64; 2],
+) -> (Polynomial, Polynomial) {
+    let (mut moved, by) = (*piece, (onto - middle) / half);
+    for i in 0..HIGHEST {
+        for k in (i..HIGHEST).rev() {
+            moved[k] += moved[k + 1] * by;
+        }
+    }
+    let mut power = 1.0;
+    for c in &mut moved {
+        *c *= power;
+        power *= width / half;
+    }
+    (moved.map(|c| c.x), moved.map(|c| c.y))
+}
+
 /// The polar form of a polynomial in u at the knots of a B-spline: its coefficient there.
-fn blossom(p: &Polynomial, degree: usize, knots: &[f64; HIGHEST], middle: f64, half: f64) -> f64 {
+#[inline(never)]
+pub(super) fn blossom(p: &Polynomial, degree: usize, knots: &[f64; HIGHEST], middle: f64, half: f64) -> f64 {
     let mut symmetric = [0.0; HIGHEST + 1];
     symmetric[0] = 1.0;
     for &knot in &knots[..degree] {

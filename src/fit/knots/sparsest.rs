@@ -12,12 +12,14 @@ mod rounding;
 mod runs;
 mod spacing;
 mod straightening;
+mod sweeping;
 mod view;
 
 use self::evening::Evening;
 use self::last_knots::Fewer;
 use self::resort::Resort;
 pub(in crate::fit) use self::resort::Resorted;
+use self::sweeping::Swept;
 use self::view::View;
 use super::breaks::Breaks;
 use super::free_knots::{FreeKnots, Located};
@@ -81,6 +83,8 @@ pub(in crate::fit) struct Plan {
     pub(in crate::fit) free: bool,
     /// Whether their parameters were given: the curve is to keep about to these.
     pub(in crate::fit) timed: bool,
+    /// Whether knots that a tolerance can do without are taken away one after the other.
+    pub(in crate::fit) sweeps: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,6 +94,7 @@ enum Phase {
     Lighten,
     Refine,
     Polish,
+    Sweep,
     Last(usize),
     RoundOff,
     Straighten,
@@ -141,6 +146,7 @@ pub(in crate::fit) struct Sparsest {
     /// Whether straight pieces were looked for.
     straightened: bool,
     resort: Resort,
+    swept: Swept,
     /// Ways to do without a knot of the best, while these are tried.
     fewer: Fewer,
 }
@@ -155,6 +161,8 @@ struct Asked {
     spaced: bool,
     /// Whether their parameters were given.
     timed: bool,
+    /// Whether knots that a tolerance can do without are taken away one after the other.
+    sweeps: bool,
     /// By how much a corner turns at least.
     least_turn: f64,
     /// Whether there may be any.
@@ -344,8 +352,13 @@ impl Sparsest {
     /// One round of the search.
     #[inline(never)]
     pub(in crate::fit) fn step(&mut self) {
-        self.effort.rounds += 1;
-        let fits = if matches!(self.phase, Phase::Refine | Phase::Last(_)) { 30.0 } else { 2.0 };
+        // A sweep has rounds and work of its own.
+        self.effort.rounds += usize::from(self.phase != Phase::Sweep);
+        let fits = match self.phase {
+            Phase::Refine | Phase::Last(_) => 30.0,
+            Phase::Sweep => 0.0,
+            _ => 2.0,
+        };
         let breaks = match (&self.phase, &self.found) {
             (Phase::Last(_), Some(found)) if self.asked.aim.is_fine() => &found.spline.space.breaks,
             _ => self.fitted.breaks(),
@@ -358,12 +371,16 @@ impl Sparsest {
             Phase::Refine if !tired => self.refine(),
             Phase::Lighten if !tired => self.lighten(),
             Phase::Polish => self.polish(),
+            Phase::Sweep => self.sweep(),
             Phase::Last(next) if !tired => self.last(next),
             Phase::RoundOff => self.round_off(),
             Phase::Straighten => self.straighten(),
             Phase::Last(_) | Phase::Done => Phase::Done,
             Phase::Grow | Phase::Thin | Phase::Lighten | Phase::Refine => Phase::Polish,
         };
+        if matches!(self.phase, Phase::Last(0) | Phase::Done) && self.may_sweep() {
+            self.phase = Phase::Sweep;
+        }
         if self.phase == Phase::Done && !self.straightened {
             let rounded = was == Phase::RoundOff || self.asked.least_turn <= 0.0;
             self.phase = if rounded { Phase::Straighten } else { Phase::RoundOff };

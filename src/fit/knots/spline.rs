@@ -10,6 +10,8 @@ use crate::numerics::{Point, Vector};
 
 /// How much less a distance along the curve counts than one across it.
 const ALONG: f64 = 0.05;
+/// How much more moving a coefficient costs that is held than what points say.
+const HELD: f64 = 1e8;
 
 /// A spline: a space and coefficients.
 #[derive(Clone, Debug)]
@@ -106,8 +108,25 @@ impl Spline {
     }
 
     /// The same, with places of the curve that are pulled back and count as points do (D 13.16).
-    #[inline(never)]
     pub(super) fn tighten_held(&mut self, data: &Located, pulls: &[Pull]) {
+        self.step_across(data, pulls, &[]);
+    }
+
+    /// The same as [`Spline::tighten`], with some coefficients where they are told to be.
+    pub(super) fn tighten_between(&mut self, data: &Located, held: &[(usize, [f64; 2])]) {
+        self.put(held);
+        self.step_across(data, &[], held);
+        self.put(held);
+    }
+
+    fn put(&mut self, held: &[(usize, [f64; 2])]) {
+        for &(i, [x, y]) in held {
+            (self.x[i], self.y[i]) = (x, y);
+        }
+    }
+
+    #[inline(never)]
+    fn step_across(&mut self, data: &Located, pulls: &[Pull], held: &[(usize, [f64; 2])]) {
         let degree = self.space.breaks.degree;
         // Loops of a length that is known are unrolled.
         let sums = if degree < 4 {
@@ -144,6 +163,10 @@ impl Spline {
         }
         for i in 0..2 * n {
             equations.add(i, i, 1e-9 * size + 1e-280);
+        }
+        // So heavy, these stay to eight digits while the others move.
+        for row in held.iter().flat_map(|&(i, _)| [2 * i, 2 * i + 1]) {
+            equations.add(row, row, HELD * size);
         }
         self.moved(equations, right, STIFF * size);
     }

@@ -2,8 +2,8 @@
 
 use super::resort::{ALMOST, Resort};
 use super::{
-    Aim, Asked, Effort, Evening, FEW, Fewer, Found, LEAP, PER_NUMBER, Phase, Plan, Pricing, Sparsest, View,
-    WARMING,
+    Aim, Asked, Effort, Evening, FEW, Fewer, Found, LEAP, PER_NUMBER, Phase, Plan, Pricing, Sparsest, Swept,
+    View, WARMING,
 };
 use crate::error::Result;
 use crate::fit::convex::problem::interpolating_grid;
@@ -38,7 +38,15 @@ impl Sparsest {
         // Sharper knots are cheap ways to bend; smooth ones are to come first.
         breaks.sharpest = if plan.free { plan.smoothest } else { plan.sharpest };
         let (least_turn, cornered) = (plan.least_turn, plan.sharpest == plan.degree);
-        let asked = Asked { aim, noise, spaced: plan.spaced, timed: plan.timed, least_turn, cornered };
+        let asked = Asked {
+            aim,
+            noise,
+            spaced: plan.spaced,
+            timed: plan.timed,
+            sweeps: plan.sweeps,
+            least_turn,
+            cornered,
+        };
         let mut search = Self::begun(asked, view, breaks);
         (search.evening.even, search.sharpest) = (plan.free, plan.sharpest);
         search.effort.warming = if matches!(aim, Aim::Noise(_)) { WARMING } else { 0 };
@@ -62,6 +70,7 @@ impl Sparsest {
             at_first: 0,
             straightened: false,
             resort: Resort::None,
+            swept: Swept::Not,
             fewer: Fewer::default(),
         }
     }
@@ -141,6 +150,7 @@ impl Sparsest {
             noise,
             spaced: false,
             timed: true,
+            sweeps: false,
             least_turn: 0.0,
             cornered: true,
         };

@@ -8,7 +8,7 @@ use crate::fit::knots::spline::{Distances, Spline};
 use crate::fit::knots::window::Window;
 
 /// So many knots are not taken away one by one, but one in so many of them at once.
-const MANY: usize = 24;
+pub(super) const MANY: usize = 24;
 const BOLD: [usize; 3] = [4, 8, 16];
 /// Steps that the others take to make up for one that is gone.
 const MOST_SLIDES: usize = 6;

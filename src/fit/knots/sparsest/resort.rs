@@ -17,8 +17,9 @@ const DEPTH: f64 = 0.28;
 const IN_A_ROUND: usize = 4096;
 /// With a knot for fewer points than this there are hardly fewer knots than points.
 const SPARE: usize = 4;
-/// Of fewer points than this, and of more than [`FEW`], a polyline is not thinned out: each of few may be a corner.
-const FEWEST: usize = 16;
+/// How many points a polyline has that is thinned out before it is swept: each of fewer may be a corner, and of more it
+/// takes too long.
+const THINNED: core::ops::RangeInclusive<usize> = 16..=FEW;
 /// How often numbers may become cheaper where a polyline was thinned out too much, and how many times.
 const CHEAPENINGS: usize = 3;
 const CHEAPENING: f64 = 8.0;
@@ -97,8 +98,8 @@ impl Sparsest {
 
     /// Whether a search from the polyline may find fewer knots than it has.
     fn may_thin(&self) -> bool {
-        let (aim, count) = (self.asked.aim, self.view.full.points.len());
-        matches!(aim, Aim::Tolerance(_)) && !aim.is_fine() && (FEWEST..=FEW).contains(&count)
+        let wanted = matches!(self.asked.aim, Aim::Tolerance(_)) && !self.asked.aim.is_fine();
+        wanted && (self.asked.sweeps || THINNED.contains(&self.view.full.points.len()))
     }
 
     /// A search that begins with a curve that keeps the tolerance, and with its feet.
@@ -109,9 +110,10 @@ impl Sparsest {
         found.spline.space.breaks.sharpest = self.sharpest;
         let breaks = found.spline.space.breaks.clone();
         let mut search = Self::begun(self.asked, View::of_all(found.located.copied()?), breaks);
-        (search.phase, search.sharpest) = (Phase::Thin, self.sharpest);
-        search.at_first = search.fitted.breaks().len();
+        let thins = THINNED.contains(&self.view.full.points.len());
+        (search.phase, search.sharpest) = (if thins { Phase::Thin } else { Phase::Sweep }, self.sharpest);
         search.effort.cheapenings = CHEAPENINGS;
+        search.at_first = search.fitted.breaks().len();
         search.found = Some(found);
         Ok(search)
     }

@@ -1,6 +1,6 @@
 //! Corners that turn by less than is asked for become smooth, and knots beside them make up for it.
 
-use super::{Aim, Phase, Sparsest};
+use super::{Aim, Phase, Sparsest, Swept};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::free_knots::FreeKnots;
 use crate::fit::knots::spline::Spline;
@@ -40,6 +40,7 @@ impl Sparsest {
             return Phase::Done;
         }
         self.effort.roundings += 1;
+        self.swept = Swept::Not;
         self.sharpest = best.spline.space.breaks.degree - 1;
         let breaks = without_corners(&best.spline.space.breaks, &slight);
         if !self.view.is_averaged() {
