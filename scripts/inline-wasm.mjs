@@ -1,9 +1,9 @@
 // The wasm as text inside JavaScript, so that the package starts with no await and no second request.
 //
 // The wasm is sorted into streams first (split-wasm.mjs), and what the core's streams have too is copied from there
-// (copy-runs.mjs). Then, one character per byte, the frequent bytes become the code points that UTF-8 writes as one byte,
-// the others those of two. That compresses to a few per cent more than the bytes themselves, where base64 costs a third.
-// Which code point is the first, and the quote, are those for which the text is smallest after gzip.
+// (copy-runs.mjs). Then, one character per byte, the frequent bytes become the code points that UTF-8 writes as one
+// byte, the others those of two. That compresses to a few per cent more than the bytes themselves, where base64 costs a
+// third. Which code point is the first, and the quote, are those for which the text is smallest after gzip.
 
 import { gzipSync } from "node:zlib";
 
