@@ -232,3 +232,10 @@ test("many fits, and fitters that nobody disposes of, leave no memory behind", (
   const grown = (process.memoryUsage().rss - before) / 1e6;
   assert.ok(grown < 150, `${grown} MB`);
 });
+
+test("a curve that keeps thousands of knots finds room in the engine", () => {
+  // Each way to do without one of them was a list of all the others: gigabytes, where one in a few is looked at.
+  const fit = fitSparse(noisyCircle(30_000, 0.01, 3), { closed: false, tolerance: 0.005 });
+  assert.equal(fit.status, "converged");
+  assert.ok(fit.maxError <= 0.005 && fit.knots.length > 5000, `${fit.knots.length} knots, ${fit.maxError} off`);
+});

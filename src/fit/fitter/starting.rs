@@ -118,7 +118,7 @@ impl Fitter {
             free: false,
             timed: !self.options.parameters.is_empty(),
             // What lies on sides that were filled up says where these are.
-            sweeps: sweeps && self.own.is_empty(),
+            sweeps: sweeps && self.own.is_empty() && self.options.least_turn <= 0.0,
         };
         if self.own.is_empty() && self.located_for == Some(Purpose::Clicks) {
             let smooth = Plan { sharpest: degree - 1, ..plan(1) };

@@ -246,19 +246,20 @@ fn changed(breaks: &Breaks, changes: &[Change], chosen: &[usize]) -> Breaks {
 /// Knots taken away or joined, the `most` promising ones, best first.
 #[inline(never)]
 pub(super) fn hopes(breaks: &Breaks, removals: &[Removal], price: Price, most: usize) -> Vec<Breaks> {
-    let mut found: Vec<(f64, Breaks)> = Vec::new();
+    let mut found: Vec<(f64, usize, bool)> = Vec::new();
     for (k, removal) in removals.iter().enumerate() {
         let cost = price.of(breaks.multiplicity[k]);
         if breaks.len() > least(breaks) && removal.whole < 4.0 * cost {
-            found.push((removal.whole / cost, breaks.without(&[k])));
+            found.push((removal.whole / cost, k, false));
         }
-        if let Some((closeness, one)) = joined(breaks, removals, k) {
-            found.push((closeness, one));
+        if let Some(closeness) = closeness(breaks, k) {
+            found.push((closeness, k, true));
         }
     }
     sort_by_number(&mut found, &|one| one.0);
     found.truncate(most);
-    found.into_iter().map(|(_, breaks)| breaks).collect()
+    let hope = |(_, k, joins)| if joins { joined(breaks, removals, k) } else { breaks.without(&[k]) };
+    found.into_iter().map(hope).collect()
 }
 
 /// Knots that nearly pay as corners where they are, and may where they slide to; those that say most first.
@@ -322,8 +323,8 @@ fn one_corner(breaks: &Breaks, mut k: usize, more: usize, long: f64) -> Breaks {
     one
 }
 
-/// Knot k and the next one at one place, where they are close, and how promising that is.
-fn joined(breaks: &Breaks, removals: &[Removal], k: usize) -> Option<(f64, Breaks)> {
+/// How promising it is to have knot k and the next one at one place, where they are close.
+fn closeness(breaks: &Breaks, k: usize) -> Option<f64> {
     let count = breaks.len();
     if count < 2 || count <= least(breaks) || (k + 1 == count && !breaks.closed) {
         return None;
@@ -332,15 +333,19 @@ fn joined(breaks: &Breaks, removals: &[Removal], k: usize) -> Option<(f64, Break
     let gap = breaks.gap_after(k);
     let around = breaks.gap_before(k).min(breaks.gap_after(next));
     let both = breaks.multiplicity[k] + breaks.multiplicity[next];
-    if both > breaks.degree + 2 || gap > 0.5 * around {
-        return None;
-    }
+    (both <= breaks.degree + 2 && gap <= 0.5 * around).then_some(1.0 + 4.0 * gap / around)
+}
+
+/// Knot k and the next one at one place.
+fn joined(breaks: &Breaks, removals: &[Removal], k: usize) -> Breaks {
+    let next = (k + 1) % breaks.len();
+    let both = breaks.multiplicity[k] + breaks.multiplicity[next];
     let (a, b) = (removals[k].whole, removals[next].whole);
     let share = if a + b > 0.0 { b / (a + b) } else { 0.5 };
     let mut one = breaks.clone();
-    one.at[k] += share * gap;
+    one.at[k] += share * breaks.gap_after(k);
     one.multiplicity[k] = both.min(breaks.sharpest);
     one.remove(next);
     in_order(&mut one);
-    Some((1.0 + 4.0 * gap / around, one))
+    one
 }
