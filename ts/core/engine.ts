@@ -189,16 +189,11 @@ export default function init(options?: InitOptions): Promise<void> {
 }
 
 /** What `init` does, for any engine. @internal */
-export function begin<K extends AnyKernel>(engine: Engine<K>, options: unknown): Promise<void> {
-  let from: ReturnType<typeof checkOptions>;
-  try {
-    // Checked where an engine runs, too: whether a call is wrong does not depend on what came before it.
-    from = checkOptions(engine.op, options, ["wasmUrl", "bytes", "module"]);
-  } catch (error) {
-    return Promise.reject(error as ExplineError);
-  }
-  if (engine.module !== undefined && engine.current !== undefined) return Promise.resolve();
-  return (engine.starting ??= start(engine, from, options === undefined).finally(() => {
+export async function begin<K extends AnyKernel>(engine: Engine<K>, options: unknown): Promise<void> {
+  // Checked where an engine runs, too: whether a call is wrong does not depend on what came before it.
+  const from = checkOptions(engine.op, options, ["wasmUrl", "bytes", "module"]);
+  if (engine.module !== undefined && engine.current !== undefined) return;
+  await (engine.starting ??= start(engine, from, options === undefined).finally(() => {
     engine.starting = undefined;
   }));
 }

@@ -23,7 +23,7 @@ export function rootOf(source: string, limits: SvgLimits): { readonly root: Elem
   // A part of a sprite is drawn where it is used; alone, it is what is meant.
   const made = htmlOf(`<svg>${loose.replace(/^<symbol\b/u, "<svg").replace(/<\/symbol>$/u, "</svg>")}</svg>`).querySelector("svg");
   // A page without a picture, or words.
-  if (made?.querySelector([...shapeNames].join()) == null) throw noSvg();
+  if (made?.querySelector([...shapeNames].join()) == null) throw loose.includes("<") ? noSvg() : notWellFormed("");
   return { root: made, isWhole: false };
 }
 
