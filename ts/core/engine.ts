@@ -189,21 +189,21 @@ export default function init(options?: InitOptions): Promise<void> {
 }
 
 /** What `init` does, for any engine. @internal */
-export async function begin<K extends AnyKernel>(engine: Engine<K>, options: unknown): Promise<void> {
-  // Checked where an engine runs, too: whether a call is wrong does not depend on what came before it.
-  const from = checkOptions(engine.op, options, ["wasmUrl", "bytes", "module"]);
-  if (engine.module !== undefined && engine.current !== undefined) return;
-  await (engine.starting ??= start(engine, from, options === undefined).finally(() => {
+export function begin<K extends AnyKernel>(engine: Engine<K>, options: unknown): Promise<void> {
+  return (engine.starting ??= start(engine, options).finally(() => {
     engine.starting = undefined;
   }));
 }
 
-async function start<K extends AnyKernel>(engine: Engine<K>, { wasmUrl, bytes, module: ready }: ReturnType<typeof checkOptions>, again: boolean): Promise<void> {
+async function start<K extends AnyKernel>(engine: Engine<K>, given: unknown): Promise<void> {
   const { op, address } = engine;
+  // Checked where an engine runs, too: whether a call is wrong does not depend on what came before it.
+  const { wasmUrl, bytes, module: ready } = checkOptions(op, given, ["wasmUrl", "bytes", "module"]);
+  if (engine.module !== undefined && engine.current !== undefined) return;
   let next: WebAssembly.Module;
   if (ready !== undefined) next = asModule(op, ready);
   // An instance has died: its module is as good as it was.
-  else if (again && engine.module !== undefined) next = engine.module;
+  else if (given === undefined && engine.module !== undefined) next = engine.module;
   else if (wasmUrl !== undefined) next = await fetched(op, wasmUrl);
   else if (bytes === undefined && address !== undefined) next = await fetched(op, address());
   else next = await compiled(op, bytes === undefined ? inlined(engine, op) : asBytes(op, bytes));
