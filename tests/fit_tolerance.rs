@@ -319,7 +319,7 @@ fn beyond_lines(fitted: &Fit, points: &[Point]) -> f64 {
 }
 
 #[test]
-fn below_the_noise_a_curve_has_half_of_the_pieces_that_lines_take_and_follows_them() {
+fn below_the_noise_a_curve_has_at_most_three_pieces_for_five_lines_and_follows_them() {
     // The polyline with the fewest vertices was the answer, with its vertices rounded off where corners may not be: of
     // these points up to four pieces for each that there is now.
     for (count, tolerance) in [(500, 0.5), (1000, 0.7), (1000, 1.5), (2600, 1.0)] {
