@@ -14,6 +14,7 @@ import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult } 
 import { cornersIn, outcomeOf, type ShownPicture } from "../src/kernel/trace/outcome.ts";
 import { keepPicture } from "../src/kernel/trace/pictures.ts";
 import { createTraceClient, type Clock, type TraceClient, type TraceHandlers } from "../src/kernel/trace/trace-client.ts";
+import { openPicture as bringPicture } from "../src/panels/files/open-picture.ts";
 import { traceProgram } from "../src/panels/trace/trace-program.ts";
 import { drawnDiffers } from "../src/render/drawn.ts";
 import { createTraceTool } from "../src/tools/trace/trace-tool.ts";
@@ -363,14 +364,28 @@ test("the views of a picture that nobody waits for any more give their pixels ba
   assert.equal(closed, 2);
 });
 
-test("an error about a picture that was refused goes with the next one that opens", () => {
+test("an error about a picture goes when the next one is brought, and what is said while that is on its way stays", async () => {
   const { hand } = tracing();
   openTraceSample(hand.editor, "trace-disc");
   const seen: (string | undefined)[] = [];
   hand.editor.notices.subscribe((notice) => seen.push(notice?.kind));
   hand.editor.notify({ kind: "error", id: "image-broken", text: "trunc.png could not be decoded. The previous picture is kept." });
-  openPicture(hand.editor, { name: "logo.png", width: 10, height: 10, key: keepPicture(new Blob()) });
-  assert.deepEqual(seen, ["error", "well"]);
+  const coming = bringPicture(hand, "logo.png", new Blob());
+  hand.editor.notify({ kind: "error", id: "files-left", text: "1 file was not opened." });
+  await coming;
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.equal(hand.editor.state.value.trace.picture?.name, "logo.png");
+  assert.deepEqual(seen, ["error", "well", "error", "announce"]);
+});
+
+test("of two pictures that are brought at a time the later is opened, and the earlier, which is none, is not said to have been kept from it", async () => {
+  const { hand, refused } = tracing();
+  openTraceSample(hand.editor, "trace-disc");
+  bring(hand, "note.png", "bad");
+  bring(hand, "logo.png", keepPicture(new Blob()));
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.equal(hand.editor.state.value.trace.picture?.name, "logo.png");
+  assert.deepEqual(refused, []);
 });
 
 test("a file that is no picture leaves what is there, and one that is starts at once", async () => {

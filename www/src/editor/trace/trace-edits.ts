@@ -55,7 +55,7 @@ export function openPicture(editor: Editor, picture: OwnPicture): void {
   change(editor, `Open ${picture.name}`, (trace) => withPicture(trace.sample === undefined
     ? trace
     : { ...trace, settings: { ...traceDefaults, size: trace.settings.size } }, { picture }));
-  begun(editor);
+  showAnew(editor);
   showBox(editor, picture);
   editor.patch({ hint: "" });
 }
@@ -63,6 +63,10 @@ export function openPicture(editor: Editor, picture: OwnPicture): void {
 function begun(editor: Editor): void {
   // "The previous picture is kept" is not true of the next one.
   editor.notify({ kind: "well" });
+  showAnew(editor);
+}
+
+function showAnew(editor: Editor): void {
   setTraceView(editor, { chosen: null, over: null, view: "result" });
 }
 

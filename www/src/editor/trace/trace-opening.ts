@@ -47,6 +47,7 @@ export async function openIncoming(editor: Editor, client: TraceClient, refuse: 
     editor.notify({ kind: "announce", text: `${name} opened, ${width} by ${height} pixels` });
   } catch (error) {
     dropPicture(source.key);
-    refuse(name, error instanceof ProbeError ? error.code : "");
+    // Another was brought after it, and nothing is said of what that one took the place of.
+    if (own === brought) refuse(name, error instanceof ProbeError ? error.code : "");
   }
 }

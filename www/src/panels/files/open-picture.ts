@@ -9,12 +9,14 @@ let brought = 0;
  * Hands a picture to Trace, which is loaded if it is not there yet. One that is none takes nobody away from what they
  * work on. @throws Problem
  */
-export async function openPicture({ editor }: Shell, name: string, content: Blob): Promise<void> {
+export async function openPicture({ editor }: Pick<Shell, "editor">, name: string, content: Blob): Promise<void> {
   brought += 1;
   const own = brought;
   const { trace: instead } = editor.state.value;
   if (editor.state.value.mode !== "trace") await checkDecodes(name, content);
   if (own !== brought) return;
+  // Before it is on its way: what is said of it, or of files beside it, may come sooner than the picture does.
+  editor.notify({ kind: "well" });
   const key = keepPicture(content);
   if (editor.state.value.mode !== "trace") editor.actions.run("mode-trace");
   editor.patch({ incoming: { name, source: { kind: "file", key, content }, instead } });
