@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 
-import { type ErrorDetails, HermiteCurve, type HermiteCurveOptions, parsePath } from "expline";
+import { type ErrorDetails, HermiteCurve, type HermiteCurveOptions, parsePath, roots } from "expline";
 
 import { type Case, testCases } from "./hostile.ts";
 
@@ -16,6 +16,13 @@ const closed = (): HermiteCurve => HermiteCurve.through(SQUARE);
 function made(points: unknown, options: Partial<HermiteCurveOptions> = {}): HermiteCurve {
   const count = Array.isArray(points) || points instanceof Float64Array ? points.length : 4;
   return new HermiteCurve({ points: points as number[], tangents: new Float64Array(count), ...options });
+}
+
+/** A list of numbers that says what it is told to where it is asked for its length, the last of it ever after. */
+function lying(...lengths: unknown[]): number[] {
+  return new Proxy([0, 0, 1, 1], {
+    get: (target, key) => (key === "length" ? (lengths.length > 1 ? lengths.shift() : lengths[0]) : (Reflect.get(target, key) as unknown)),
+  });
 }
 
 const spread = (n: number, end: number): Float64Array => Float64Array.from({ length: n }, (_, i) => (end * i) / (n - 1));
@@ -198,6 +205,10 @@ const evaluation: Case[] = [
       }),
     refuses: { code: "E_TYPE", arg: "points", bound: "number" },
   },
+  { id: "EV-038b", what: "points that say their length is −1", run: () => HermiteCurve.through(lying(-1)), refuses: { code: "E_TYPE", arg: "points" } },
+  { id: "EV-038c", what: "points whose length is a list that says it is long", run: () => HermiteCurve.through(lying({ length: 1e9 })), refuses: { code: "E_TOO_FEW_POINTS", arg: "points" } },
+  { id: "EV-038d", what: "roots that say their length is −1", run: () => roots.union(lying(-1)), refuses: { code: "E_LIMIT", arg: "lists", limit: "maxRoots" } },
+  { id: "EV-038e", what: "roots whose length is longer when it is asked for again", run: () => roots.union(lying(2, 1e9)), gives: (list: unknown) => assert.deepEqual(list, [0, 0]) },
   {
     id: "EV-040",
     what: "points on a SharedArrayBuffer: copied once, the copy is checked and used",

@@ -15,6 +15,13 @@ const hostile = <T>(value: unknown): T => value as T;
 
 const fit = (points: unknown, options: unknown = {}) => () => fitSparse(hostile(points), hostile<SparseFitOptions>(options));
 
+/** A list of two of which the first is missing. */
+function sparse(last: unknown): unknown[] {
+  const list = new Array<unknown>(2);
+  list[1] = last;
+  return list;
+}
+
 /** A curve that can be evaluated everywhere, and a status that is one. */
 function sound(result: SparseFit): void {
   for (const number of result.curve.sample(64)) assert.ok(Number.isFinite(number));
@@ -91,6 +98,9 @@ const cases: readonly Case[] = [
   { id: "X-06", what: "degree 0", run: fit(CIRCLE, { degree: 0 }), refuses: { code: "E_RANGE", arg: "degree" } },
   { id: "X-07", what: "degrees that do not rise", run: fit(CIRCLE, { degree: [3, 1] }), refuses: { code: "E_RANGE", arg: "degree", index: 1 } },
   { id: "X-08", what: "one λ for two degrees", run: fit(CIRCLE, { lambda: 5 }), refuses: { code: "E_LENGTH", arg: "lambda" } },
+  { id: "X-08b", what: "a λ that is missing from its list", run: fit(CIRCLE, { lambda: sparse(1) }), refuses: { code: "E_TYPE", arg: "lambda", index: 0 } },
+  { id: "X-08c", what: "a degree that is missing from its list", run: fit(CIRCLE, { degree: sparse(3) }), refuses: { code: "E_TYPE", arg: "degree", index: 0 } },
+  { id: "X-08d", what: "a step that is missing from its list", run: fit(CIRCLE, { smoothing: 0.4, finish: sparse("slide") }), refuses: { code: "E_TYPE", arg: "finish", index: 0 } },
   { id: "X-09", what: "a weight of 0", run: fit(SQUARE, { weights: [1, 1, 0, 1] }), refuses: { code: "E_RANGE", arg: "weights", index: 2 } },
   { id: "X-10", what: "weights for other points", run: fit(SQUARE, { weights: [1, 1] }), refuses: { code: "E_LENGTH", arg: "weights" } },
   { id: "X-11", what: "a signal that is none", run: fit(SQUARE, { signal: {} }), refuses: { code: "E_TYPE", arg: "signal" } },

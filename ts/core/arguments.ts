@@ -208,7 +208,10 @@ export function oneOr(value: unknown, list: Coordinates): number | Coordinates {
   return typeof value === "number" ? value : list;
 }
 
-/** The length of an array; one that is too long for the limit must at least have something at its end. */
+/**
+ * The length of an array; one that is too long for the limit must at least have something at its end. What a proxy says
+ * instead of a length becomes one.
+ */
 function honestLength(
   op: string,
   arg: string,
@@ -218,7 +221,7 @@ function honestLength(
   fits: (item: unknown) => boolean,
   each = 1,
 ): number {
-  const { length } = list;
+  const length = list.length >>> 0;
   if (length > each * max) {
     if (!fits(list[length - 1])) throw wrong("E_TYPE", op, arg, list[length - 1], "number", length - 1);
     throw overLimit(op, arg, limit, max, Math.ceil(length / each));

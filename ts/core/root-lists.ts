@@ -13,9 +13,10 @@ export const MAX_ROOTS = 16;
 export function rootNumbers(op: string, value: unknown, arg = "roots"): Floats {
   if (!Array.isArray(value)) throw wrong("E_TYPE", op, arg, value, "an array of numbers or { re, im }");
   const list = value as readonly unknown[];
-  if (list.length > MAX_ROOTS) throw overLimit(op, arg, "maxRoots", MAX_ROOTS, list.length);
-  const numbers = new Float64Array(2 * list.length);
-  for (let i = 0; i < list.length; i += 1) {
+  const length = list.length >>> 0;
+  if (length > MAX_ROOTS) throw overLimit(op, arg, "maxRoots", MAX_ROOTS, length);
+  const numbers = new Float64Array(2 * length);
+  for (let i = 0; i < length; i += 1) {
     const root = list[i];
     const isPair = typeof root === "object" && root !== null && !Array.isArray(root);
     if (typeof root !== "number" && !isPair) throw wrong("E_TYPE", op, arg, root, "a number or { re, im }", i);

@@ -246,7 +246,7 @@ function finishOf(op: string, value: unknown): number {
   if (!Array.isArray(value)) return FINISHES[word(op, "finish", value, ["none", "gridless", "full"])];
   const steps = value as readonly unknown[];
   if (steps.length > STEPS.length) throw wrongLength(op, "finish", steps.length, `at most ${STEPS.length}`);
-  return steps.reduce<number>((bits, step, i) => bits | (1 << STEPS.indexOf(word(op, "finish", step, STEPS, i))), 0);
+  return Array.from(steps).reduce<number>((bits, step, i) => bits | (1 << STEPS.indexOf(word(op, "finish", step, STEPS, i))), 0);
 }
 
 function degreesOf(op: string, value: unknown): readonly number[] {
@@ -254,7 +254,7 @@ function degreesOf(op: string, value: unknown): readonly number[] {
   if (!Array.isArray(value)) return [integer(op, "degree", value, 1, 5)];
   const list = value as readonly unknown[];
   if (list.length !== 2) throw wrongLength(op, "degree", list.length, "2");
-  const [first, second] = list.map((degree, i) => integer(op, "degree", degree, 1, 5, i)) as [number, number];
+  const [first, second] = Array.from(list, (degree, i) => integer(op, "degree", degree, 1, 5, i)) as [number, number];
   if (first >= second) throw wrong("E_RANGE", op, "degree", second, `more than ${first}`, 1);
   return [first, second];
 }
@@ -286,7 +286,7 @@ function question(op: string, own: { readonly [name in (typeof STRENGTHS)[number
 
 function lambdas(op: string, value: unknown, degrees: number): Question {
   const list: readonly unknown[] = Array.isArray(value) ? value : [value];
-  const all = list.map((lambda, i) => inRange(op, "lambda", lambda, 0, MAX_LAMBDA, Array.isArray(value) ? i : undefined));
+  const all = Array.from(list, (lambda, i) => inRange(op, "lambda", lambda, 0, MAX_LAMBDA, Array.isArray(value) ? i : undefined));
   if (all.length !== degrees) throw wrongLength(op, "lambda", all.length, degrees === 1 ? "1, as there is one degree" : "2, one for each degree, or one and { degree: 3 }");
   const [first = 0, second = 0] = all;
   if (degrees === 2 && first + second === 0) throw wrong("E_RANGE", op, "lambda", 0, "at least one of them > 0");
