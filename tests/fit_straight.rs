@@ -185,3 +185,26 @@ fn an_open_curve_without_knots_is_one_segment() {
         );
     }
 }
+
+#[test]
+fn an_open_stroke_that_is_one_line_needs_no_corners_for_that() {
+    for (count, bend) in [(2, 0.0), (3, 0.0), (3, 0.2), (7, 0.1), (60, 0.1)] {
+        let points: Vec<Point> =
+            (0..count).map(|i| Point::new(f64::from(i), bend * f64::from(i % 2))).collect();
+        for degrees in [vec![2], vec![3], vec![5], vec![1, 3]] {
+            for (corners, least_turn) in [(false, 0.0), (true, 0.5)] {
+                let options = Options {
+                    closed: Some(false),
+                    degrees: degrees.clone(),
+                    corners,
+                    least_turn,
+                    ..Options::default()
+                };
+                let fitted = fit(&points, Ask::Tolerance(0.5), &options).expect("it can be fitted");
+                let what = format!("{count} points, degrees {degrees:?}, corners {corners}");
+                assert!(fitted.max_error <= 0.5, "{what}: {}", fitted.max_error);
+                assert!(fitted.knots.is_empty(), "{what}: {:?}", fitted.knots);
+            }
+        }
+    }
+}

@@ -106,7 +106,8 @@ pub(super) fn rounded(
             breaks.multiplicity.push(if round { degree - 1 } else { degree });
         }
     }
-    if breaks.at[0] > breaks.at[breaks.len() - 1] {
+    // A single edge has none.
+    if breaks.at.first() > breaks.at.last() {
         breaks.at.rotate_left(1);
         breaks.multiplicity.rotate_left(1);
     }
