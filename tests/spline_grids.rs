@@ -59,7 +59,7 @@ fn where_the_parameter_starts_changes_nothing_of_the_shape() {
                 assert!((length - area).abs() <= 2e-9, "{what}: {length}");
                 let (hermite, deviation) = curve.to_hermite(1e-6).expect("in the plane");
                 assert!(deviation <= 1e-6, "{what}: {deviation}");
-                let finder = expline::curve::NearestFinder::new(hermite.as_pieces());
+                let finder = expline::curve::NearestFinder::new(&hermite);
                 for point in plain.sample(301, 0).expect("points").chunks_exact(2) {
                     let off = finder.nearest(Point::new(point[0], point[1])).distance;
                     assert!(off <= deviation + ROUNDED, "{what}: {off:e} of {deviation:e}");

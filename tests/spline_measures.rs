@@ -87,7 +87,7 @@ fn cubics_and_hyperbolas_become_hermite_curves_exactly_and_others_within_a_toler
 
 /// The largest distance of a place on one curve to the nearest one on the other.
 fn farthest(from: &dyn Curve, to: &HermiteCurve) -> f64 {
-    let finder = expline::curve::NearestFinder::new(to.as_pieces());
+    let finder = expline::curve::NearestFinder::new(to);
     let parameters = from.sample_by_length(2000, 1e-6).expect("parameters");
     assert_eq!(parameters.len(), 2000, "one for each point");
     let points = from.points_by_length(2000, 1e-6).expect("points");

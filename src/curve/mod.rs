@@ -28,6 +28,7 @@ mod hermite;
 pub(crate) mod measures;
 mod piece;
 mod pieces;
+mod prepared;
 mod segment;
 mod space_piece;
 mod speed;

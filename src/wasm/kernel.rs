@@ -183,11 +183,9 @@ impl Kernel {
     ) -> Result<(&NearestFinder, &[f64], &mut Vec<f64>)> {
         let given = &self.input[..count.min(self.input.len())];
         match self.slots.get_mut(slot as usize) {
-            Some(Some(Resident { curve, finder, .. })) => Ok((
-                finder.get_or_insert_with(|| NearestFinder::new(curve.pieces())),
-                given,
-                &mut self.output,
-            )),
+            Some(Some(Resident { curve, finder, .. })) => {
+                Ok((finder.get_or_insert_with(|| NearestFinder::of(curve.pieces())), given, &mut self.output))
+            }
             _ => Err(Box::new(NOT_RESIDENT)),
         }
     }
@@ -202,7 +200,7 @@ impl Kernel {
         }
         let table = match table {
             Some(known) => known,
-            None => table.insert(LengthTable::new(curve.pieces(), tolerance)?),
+            None => table.insert(LengthTable::of(curve.pieces(), tolerance)?),
         };
         Ok((curve.pieces(), table))
     }

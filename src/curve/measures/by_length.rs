@@ -51,11 +51,7 @@ pub struct LengthTable {
 
 impl LengthTable {
     /// Measures the pieces of a curve.
-    ///
-    /// # Errors
-    ///
-    /// `tolerance` not finite or not positive.
-    pub fn new(curve: &dyn Pieces, tolerance: f64) -> Result<Self> {
+    pub(crate) fn of(curve: &dyn Pieces, tolerance: f64) -> Result<Self> {
         check_tolerance(tolerance)?;
         let pieces = curve.piece_count();
         let share = share(tolerance, pieces);
@@ -73,13 +69,8 @@ impl LengthTable {
         self.tolerance
     }
 
-    /// Parameters, as [`crate::curve::Curve::sample_by_length`] says; `curve` is the one that was measured.
-    ///
-    /// # Errors
-    ///
-    /// More places than may be asked for at once; another curve, with another number of pieces; where memory is short.
-    pub fn parameters(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
-        self.check(curve)?;
+    /// Parameters evenly by length of the curve that was measured.
+    pub(crate) fn parameters_of(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
         self.along(curve, count, 1, &mut |_, [from, to], places, out| {
             for (t, y) in out.iter_mut().zip(places) {
                 *t = smaller(from + (y + 0.5) * (to - from), to);
@@ -87,23 +78,13 @@ impl LengthTable {
         })
     }
 
-    /// The points there: the table knows on which piece they are, so that nothing is looked for.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::parameters`].
-    pub fn points(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
-        self.check(curve)?;
-        self.points_of(curve, count)
-    }
-
     /// Refuses a curve that cannot be the one that was measured.
-    fn check(&self, curve: &dyn Pieces) -> Result<()> {
+    pub(crate) fn check(&self, curve: &dyn Pieces) -> Result<()> {
         let (got, needed) = (curve.piece_count(), self.lengths.len());
         if got == needed { Ok(()) } else { Err(Error::wrong_length("curve", got, needed)) }
     }
 
-    /// [`Self::points`] of the curve that was measured.
+    /// The points there: the table knows on which piece they are, so that nothing is looked for.
     pub(crate) fn points_of(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
         self.along(curve, count, curve.coordinate_count(), &mut |piece, _, places, out| match piece {
             AnyPiece::Plane(piece) => piece.positions(places, out),

@@ -151,8 +151,8 @@ fn tree(mut corners: Vec<Corners>) -> Vec<Vec<Boxes>> {
 }
 
 impl NearestFinder {
-    /// Prepares a curve. O(segments), about 0.15 µs for each.
-    pub fn new(curve: &dyn Pieces) -> Self {
+    /// Prepares what is known by its pieces.
+    pub(crate) fn of(curve: &dyn Pieces) -> Self {
         let bounds = bounds(curve);
         let extent = bounds.extent();
         let count = curve.piece_count();
