@@ -8,8 +8,8 @@ mod golden;
 use expline::numerics::Point;
 use expline::trace::{
     Cloud, End, Estimator, Knots, Method, QuasiInterpolant, Rule, Score, choose, diameter,
-    directed_hausdorff, generalised_cross_validation, jaccard, leave_one_out, mean_absolute,
-    root_mean_square,
+    directed_hausdorff, generalised_cross_validation, jaccard, leave_one_out, left_out_locally,
+    mean_absolute, root_mean_square,
 };
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -452,4 +452,36 @@ fn what_cannot_be_fitted_is_refused_by_name() {
     assert_eq!(argument(fit(3).map(drop)), Some("neighbours"));
     assert!(fit(2).is_ok(), "pieces without a point of their own have neighbours all the same");
     assert_eq!(argument(leave_one_out(&cloud, &knots, 2, FREE).map(drop)), Some("neighbours"));
+}
+
+#[test]
+fn local_polynomials_of_any_cloud_are_numbers_or_refused() {
+    let (mut answers, mut refusals) = (0, 0);
+    for power in 0..12 {
+        let places = (0..24_i32).map(|i| {
+            let far = 10f64.powi((i * 7 + power) % 30 - 21).min(1e9);
+            Point::new(if i % 2 == 0 { far } else { -far }, f64::from(i * i % 11) * 1e7)
+        });
+        let cloud = Cloud::new(&places.collect::<Vec<_>>()).expect("in range");
+        for (degree, k) in (1..=9).flat_map(|degree| (1..=12).map(move |k| (degree, k))) {
+            let knots = Knots::even(cloud.x()[0], cloud.x()[23], degree, degree).expect("in range");
+            let made = QuasiInterpolant::new(&cloud, knots.clone(), Estimator::Local { k }, FREE);
+            let left_out = left_out_locally(&cloud, &knots, k, FREE).map(|score| vec![score]);
+            let validated = generalised_cross_validation(&cloud, &knots, k, FREE)
+                .map(|(score, trace)| vec![score, trace]);
+            for answer in [made.map(|made| made.coefficients().to_vec()), left_out, validated] {
+                match answer {
+                    Ok(numbers) => {
+                        answers += 1;
+                        assert!(numbers.iter().all(|x| x.is_finite()), "{power}, {degree}, {k}: {numbers:?}");
+                    }
+                    Err(error) => {
+                        refusals += 1;
+                        assert_eq!(error.argument(), Some("points"), "{error}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(answers > 0 && refusals > 0, "{answers} answers, {refusals} refusals");
 }

@@ -12,7 +12,7 @@ use self::cloud::Cloud;
 use self::knots::{Knots, MOST_DEGREE, MOST_INTERIOR};
 use self::local::LocalFit;
 use self::projection::Projection;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::limits::{check, filled, with_room};
 use crate::numerics::Point;
 
@@ -66,7 +66,8 @@ impl QuasiInterpolant {
     ///
     /// # Errors
     ///
-    /// k of 0 or of more than there are points; a reach of more than a million.
+    /// k of 0 or of more than there are points; a reach of more than a million; local polynomials over distances so
+    /// unlike that none of their digits is left.
     ///
     /// # Cost
     ///
@@ -81,7 +82,9 @@ impl QuasiInterpolant {
             Estimator::Local { k } => {
                 check("neighbours", None, k as f64, 1.0, cloud.len() as f64)?;
                 let mut local = LocalFit::new(k)?;
-                Self::of(knots, ends, &mut |knots, q| local.coefficient(cloud, knots, q))
+                let made = Self::of(knots, ends, &mut |knots, q| local.coefficient(cloud, knots, q))?;
+                check_digits(made.coefficients.iter().all(|coefficient| coefficient.is_finite()))?;
+                Ok(made)
             }
             Estimator::Projected { reach } => Self::projected(cloud, knots, reach, ends),
         }
@@ -160,6 +163,11 @@ impl QuasiInterpolant {
         }
         Ok(residuals)
     }
+}
+
+/// Refuses what has no digits: powers of distances up to 1e9 beside others near 0 have more of them than doubles.
+pub(super) fn check_digits(known: bool) -> Result<()> {
+    if known { Ok(()) } else { Err(Error::degenerate("points", None, "their distances are too unlike")) }
 }
 
 /// The value at which coefficient q is held. A lone middle coefficient between two tangents takes their mean.

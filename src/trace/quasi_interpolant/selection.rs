@@ -5,7 +5,7 @@ use super::cloud::Cloud;
 use super::knots::Knots;
 use super::local::LocalFit;
 use super::placement::Placement;
-use super::{End, Estimator, QuasiInterpolant, held};
+use super::{End, Estimator, QuasiInterpolant, check_digits, held};
 use crate::error::Result;
 use crate::limits::{check, filled, with_room};
 use crate::trace::metrics::{mean_absolute, root_mean_square};
@@ -93,6 +93,7 @@ pub fn generalised_cross_validation(
     let freedom = 1.0 - trace / cloud.len() as f64;
     let residuals = fitted.residuals(cloud)?;
     let score = root_mean_square(residuals.iter().copied());
+    check_digits((score + trace).is_finite())?;
     Ok((if freedom > 1e-6 { score / freedom } else { f64::MAX }, trace))
 }
 
@@ -132,7 +133,9 @@ pub fn left_out_locally(cloud: &Cloud, knots: &Knots, k: usize, ends: [End; 2]) 
         }
     }
     let residuals = fitted.residuals(cloud)?;
-    Ok(root_mean_square(residuals.iter().zip(&own).map(|(r, h)| r / (1.0 - h).max(0.05))))
+    let score = root_mean_square(residuals.iter().zip(&own).map(|(r, h)| r / (1.0 - h).max(0.05)));
+    check_digits(score.is_finite())?;
+    Ok(score)
 }
 
 /// The knots of a tube and its number of neighbours, by the method's rule: even ones, up to the least of 8 and a third
