@@ -23,7 +23,7 @@
 //! use expline::svg::{PrintOptions, parse_path, to_path_d};
 //!
 //! let path = parse_path("M10 10h80v40a20 20 0 0 1-20 20H10z")?;
-//! let options = PrintOptions { tolerance: 0.01, decimals: None, arcs: true, relative: false };
+//! let options = PrintOptions { tolerance: 0.01, ..PrintOptions::default() };
 //! let printed = to_path_d(&path.curves[0], &options)?;
 //! assert!(printed.d.contains('A'), "the rounded corner is still an arc");
 //! assert!(printed.deviation <= 0.01, "within the tolerance");
@@ -86,6 +86,9 @@
 //!
 //! Everything that can be wrong with a call is an [`Error`] that names the argument, the value and the limit; nothing
 //! panics. Coordinates are finite and at most 1e9 in size; below 1e-50 they count as 0.
+//!
+//! Later versions may know more: results have fields and states that you need not name (they are `#[non_exhaustive]`),
+//! and options that you do not name are what `..Options::default()` says.
 //!
 //! # In WebAssembly
 //!

@@ -417,7 +417,8 @@ fn text_that_makes_no_sense_ends_the_path_and_keeps_what_came_before() {
         let (parsed, truncation) = truncated(d);
         let count: usize = parsed.curves.iter().map(HermiteCurve::segment_count).sum();
         assert_eq!((parsed.subpaths, count), (subpaths, segments), "{d:?}");
-        assert_eq!(truncation, Truncation { offset, found, expected }, "{d:?}");
+        let Truncation { offset: at, found: what, expected: instead, .. } = truncation;
+        assert_eq!((at, what, instead), (offset, found, expected), "{d:?}");
     }
 }
 

@@ -30,6 +30,7 @@ const BY_SQUARES: bool = !cfg!(feature = "wasm-fit");
 
 /// How far a run has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Progress {
     /// Whether it has ended.
     pub done: bool,

@@ -12,6 +12,7 @@ use crate::limits::{LARGEST_COORDINATE, LARGEST_WEIGHT, LEAST_WEIGHT, check};
 /// smoothing that is so unless parameters, a parametrisation or weights are given or [`Options::robust`] is set; with
 /// that, none are put where points are far off all others. Distances are those of the given points.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub enum Ask {
     /// The minimiser of the sum of squares and λ times the jumps, one λ per degree, in the unit of the points.
     Lambda(Vec<f64>),

@@ -10,6 +10,7 @@ use crate::numerics::{Point, Vector};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum FitStatus {
     /// It is going on; the curve is the best so far.
     Running,
@@ -24,6 +25,7 @@ pub enum FitStatus {
 
 /// A knot of the fitted curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Knot {
     /// Its parameter on the curve.
     pub t: f64,
@@ -37,6 +39,7 @@ pub struct Knot {
 
 /// One spline of the sum that was fitted.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Part {
     /// Its degree.
     pub degree: usize,
@@ -48,6 +51,7 @@ pub struct Part {
 
 /// What one step after the convex problem changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Changed {
     /// The step: `extreme`, `merge`, `slide`, `debias`, `prune` or `search`.
     pub step: &'static str,
@@ -61,6 +65,7 @@ pub struct Changed {
 
 /// A fitted curve and what is known of it.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Fit {
     /// The curve: exactly the spline for degrees up to 3; splines of degree 4 and 5 are cut into cubics, up to 64 a
     /// piece, until they are within 1e-9 of the drawing's size.

@@ -6,6 +6,7 @@ use crate::numerics::order::median;
 
 /// How parameters are given to points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Parametrisation {
     /// By index where λ is asked for, as the papers do, and where points follow one another evenly; by smoothed arc
     /// length otherwise.

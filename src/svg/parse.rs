@@ -17,6 +17,7 @@ pub const MOST_PATH_POINTS: usize = 2_000_000;
 
 /// What [`parse_path`] read.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct ParsedPath {
     /// One curve for every subpath that draws something.
     pub curves: Vec<HermiteCurve>,
@@ -28,6 +29,7 @@ pub struct ParsedPath {
 
 /// Where and why reading stopped before the end of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Truncation {
     /// Byte offset from which on nothing was used: where the command, or the group of numbers, starts that could
     /// not be read.

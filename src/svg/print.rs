@@ -50,6 +50,7 @@ impl Default for PrintOptions {
 
 /// What [`to_path_d`] wrote.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Printed {
     /// The path data.
     pub d: String,

@@ -12,6 +12,7 @@ use crate::error::{Error, Result};
 
 /// One layer.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct TracedLayer {
     /// Its colour.
     pub color: Color,

@@ -8,6 +8,7 @@ use crate::numerics::plane::{cross, norm};
 
 /// How far a curve is from the contour that it follows, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Metrics {
     /// The root mean square distance of the contour's points.
     pub rmse: f64,

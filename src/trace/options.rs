@@ -5,6 +5,7 @@ use crate::limits::check;
 
 /// What is followed in a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Source {
     /// The outlines of ink.
     Brightness,
@@ -16,6 +17,7 @@ pub enum Source {
 
 /// Which spline follows a contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Model {
     /// As few lines, arcs and cubics as there may be.
     Sparse,

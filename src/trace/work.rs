@@ -8,6 +8,7 @@ use crate::numerics::Point;
 
 /// What is being done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Stage {
     /// The picture is looked at: tones, noise, edges.
     Edges,
@@ -23,6 +24,7 @@ pub enum Stage {
 
 /// How far the work is. Stages come in their order, and in a stage `completed` never falls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Progress {
     /// Whether the result is there.
     pub done: bool,
@@ -36,6 +38,7 @@ pub struct Progress {
 
 /// One curve.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct TracedContour {
     /// The curve; closed outlines of ink have a positive area, holes a negative one.
     pub curve: HermiteCurve,
@@ -51,6 +54,7 @@ pub struct TracedContour {
 
 /// What was found in a picture.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Trace {
     /// All curves; outlines of ink in the order of their first points, row by row.
     pub contours: Vec<TracedContour>,

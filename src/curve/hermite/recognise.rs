@@ -14,6 +14,7 @@ const SEAM: f64 = 1e-12;
 
 /// An arc of an ellipse: centre + the rotated (rx·cos θ, ry·sin θ) for θ from `start` to `start + sweep`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct EllipseArc {
     /// The centre.
     pub center: Point,

@@ -30,6 +30,7 @@ const STIFF: f64 = 24.0;
 
 /// Cubic Bézier curves near a curve; see [`Curve::to_cubics`](crate::curve::Curve::to_cubics).
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Cubics {
     /// Eight numbers for each cubic, twelve in space: start, two handles, end. Each starts where the one before ends.
     pub path: Vec<f64>,

@@ -23,6 +23,7 @@ const MOST_HALVINGS: u32 = 5;
 
 /// The point of a curve that is nearest to a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Nearest {
     /// Its parameter.
     pub t: f64,

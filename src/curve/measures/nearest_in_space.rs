@@ -8,6 +8,7 @@ use crate::numerics::Point;
 
 /// The point of a curve in space that is nearest to a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SpaceNearest {
     /// Its parameter.
     pub t: f64,

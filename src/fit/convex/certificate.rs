@@ -21,6 +21,7 @@ use crate::numerics::twofold::Twofold;
 
 /// What was proved.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Certificate {
     /// The objective of the curve.
     pub objective: f64,

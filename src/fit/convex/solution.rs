@@ -7,6 +7,7 @@ use crate::numerics::Vector;
 
 /// Where a run stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Status {
     /// There is more to do.
     Running,
