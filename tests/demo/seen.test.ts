@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { inflateSync } from "node:zlib";
 import { useBrowser, type Demo } from "./page.ts";
 
 /** What is on the page can be seen, read to its end and pressed, and stays where it is while it is pressed. */
@@ -236,6 +237,42 @@ test("on paper there is the drawing alone, all of it", async (t) => {
   for (const part of [".header", ".rail", ".panel", ".status", ".stage-hint", ".stage-zoom"]) assert.equal(await demo.page.locator(part).isVisible(), false, part);
   const [canvas, fit] = await demo.page.locator("canvas.stage-canvas").evaluate((element) => [element.getBoundingClientRect(), getComputedStyle(element).objectFit] as const);
   assert.deepEqual([canvas.left, canvas.top, canvas.width, canvas.height, fit], [0, 0, 794, 1123, "contain"]);
+});
+
+/** The opaque pictures in what the page is printed to, each as its green values. */
+async function printed(demo: Demo): Promise<number[][]> {
+  const pdf = (await demo.page.pdf({ printBackground: true })).toString("latin1");
+  return [...pdf.matchAll(/\/Subtype \/Image\n((?:.*\n)*?.*)>> stream\n/gu)].flatMap(({ 0: head, 1: entries = "", index }) => {
+    if (/SMask|DeviceGray/u.test(entries)) return [];
+    const start = index + head.length;
+    const bytes = inflateSync(Buffer.from(pdf.slice(start, pdf.indexOf("endstream", start)), "latin1"));
+    return [Array.from(bytes).filter((_, i) => i % 3 === 1)];
+  });
+}
+
+for (const [theme, route] of [["system", "#/curve?sample=heart"], ["own", "#/surface?sample=surf-sphere"]] as const) {
+  test(`on paper there is dark ink on white, and on the screen it is dark again after it, ${theme} theme`, async (t) => {
+    const demo = await open(t, route, { colorScheme: theme === "system" ? "dark" : "light" });
+    if (theme === "own") for (let i = 0; i < 2; i += 1) await demo.byId("btn-theme").click();
+    await demo.idle();
+    const before = await demo.pixels();
+    const [green = []] = await printed(demo);
+    assert.deepEqual([green[0], green.at(-1)], [255, 255], "paper");
+    assert.ok(green.filter((value) => value === 255).length > 0.5 * green.length, "most of it is paper");
+    assert.ok(green.filter((value) => value < 80).length > 0.0005 * green.length, "there is ink");
+    await demo.idle();
+    assert.equal(await demo.changedPixels(before, await demo.pixels()), 0);
+  });
+}
+
+test("what prints a copy of the page as it is before its media change is given white paper in time", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", { colorScheme: "dark" });
+  const at = (type: string): Promise<number | undefined> => demo.page.evaluate((name) => {
+    window.dispatchEvent(new Event(name));
+    return document.querySelector<HTMLCanvasElement>("canvas.stage-canvas")?.getContext("2d")?.getImageData(0, 0, 1, 1).data[1];
+  }, type);
+  assert.equal(await at("beforeprint"), 255);
+  assert.ok((await at("afterprint") ?? 255) < 60);
 });
 
 test("a surface on paper is as it is on the screen, and not black", async (t) => {

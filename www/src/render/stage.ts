@@ -88,6 +88,8 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   const recolour = (): void => {
     palette = readPalette(document.documentElement);
     repaint();
+    // A page that is being printed has no more frames, and of what a graphics card has shown there is nothing left.
+    paint();
   };
   editor.state.subscribe((state, before) => {
     if (drawnDiffers(state, before)) repaint();
@@ -100,9 +102,6 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   until.addEventListener("abort", () => observer.disconnect(), { once: true });
   for (const type of ["themechange", "resize"]) {
     window.addEventListener(type, type === "resize" ? measure : recolour, { signal: until });
-  }
-  for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"]) {
-    matchMedia(query).addEventListener("change", recolour, { signal: until });
   }
   for (const type of ["focusin", "focusout"]) surface.addEventListener(type, repaint, { signal: until });
   frame.add("paint", paint);

@@ -17,7 +17,12 @@ function apply(theme: Theme): void {
   else document.documentElement.dataset["theme"] = theme;
 }
 
-function announce(): void {
+/**
+ * Whatever the theme, paper is white. Some browsers print what there is before their media change, and some tell
+ * nothing but the media.
+ */
+function announce(event?: Event): void {
+  document.documentElement.toggleAttribute("data-print", event?.type === "beforeprint" || window.matchMedia("print").matches);
   window.dispatchEvent(new Event("themechange"));
 }
 
@@ -31,9 +36,10 @@ export interface ThemeControl {
 export function mountTheme(until: AbortSignal): ThemeControl {
   let theme = stored();
   apply(theme);
-  for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)", "(prefers-contrast: more)"]) {
+  for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)", "print"]) {
     window.matchMedia(query).addEventListener("change", announce, { signal: until });
   }
+  for (const type of ["beforeprint", "afterprint"]) window.addEventListener(type, announce, { signal: until });
   return {
     current: () => theme,
     next() {

@@ -91,8 +91,6 @@ class Shaded implements ShadedView {
   constructor(renderer: WebGLRenderer, life: AbortController) {
     this.#renderer = renderer;
     this.#life = life;
-    // The graphics card forgets what it has shown: on paper it would be black.
-    window.addEventListener("beforeprint", () => this.#render(), { signal: life.signal });
     this.#camera.up.set(0, 0, 1);
     for (const side of this.#sides) side.frustumCulled = false;
     this.#scene.add(...this.#sides);
@@ -105,10 +103,6 @@ class Shaded implements ShadedView {
     this.#look(picture);
     this.#put(picture.mesh);
     this.#style(picture);
-    this.#render();
-  }
-
-  #render(): void {
     this.#renderer.render(this.#scene, this.#camera);
   }
 
