@@ -81,12 +81,12 @@ export function fitted(box: Box, stage: StageBox, most = Infinity, share = 0.1):
   const margin = Math.max(24, Math.min(stage.width, stage.height) * share);
   // The hint, in two lines where the stage is low, and the zoom box are below; on a phone the zoom box is above, and
   // two lines of hint over the tools are below. Larger text is higher, and has more lines; on phones it ends growing,
-  // and on the lowest stages there is none.
+  // and on the lowest stages there is none, and all is below.
   const { width, height } = stage;
   const text = height < 200 ? 1 : stage.text ?? 1;
   const [least, lines] = width < 600 ? [64, 112] : [48, 60];
-  const above = Math.max(margin, Math.min(least * text ** 0.5, height * (0.425 - 0.1 * text)));
-  const below = Math.max(margin, Math.min(lines * text ** 1.5, 0.6 * width, height * (0.1 + 0.275 * text)));
+  const above = Math.max(margin, height < 130 ? 0 : Math.min(least * text ** 0.5, height * (0.425 - 0.1 * text)));
+  const below = Math.max(margin, Math.min(lines * text ** 1.5, 0.6 * width, Math.max(60, height * (0.1 + 0.275 * text))));
   const wide = Math.max(1, width - 2 * margin) / Math.max(1e-9, box.maxX - box.minX);
   const high = Math.max(1, height - above - below) / Math.max(1e-9, box.maxY - box.minY);
   const zoom = Math.min(wide, high, most, limitsFor(box)[1]);
