@@ -45,6 +45,42 @@ test("V02 tabs, history and arrow keys agree with the address, the panel and the
   assert.deepEqual(demo.complaints, []);
 });
 
+test("who opened samples over their work is back at it when they go back in the browser, in every mode, and can go forward again", async (t) => {
+  for (const [mode, first, others] of [["curve", "circle-2", ["heart", "glyph"]], ["fit", "fit-circle", ["fit-star", "fit-sine"]]] as const) {
+    const demo = await open(t, `#/${mode}?sample=${first}`);
+    const drawn = async (): Promise<unknown> => {
+      const state = await demo.state();
+      return mode === "curve" ? state.curve.contours : state.fit.data;
+    };
+    const at = (hash: string): Promise<unknown> => demo.until(() => demo.page.evaluate(() => location.hash), (now) => now === hash, hash).then(() => demo.idle());
+    if (mode === "curve") await demo.byId("space").selectOption({ index: 1 });
+    else await demo.dragFrom(await demo.toScreen(100, 100), 60, 40);
+    await at(`#/${mode}`);
+    const work = await drawn();
+    const samples: unknown[] = [];
+    for (const sample of others) {
+      await demo.page.evaluate((hash) => { location.hash = hash; }, `#/${mode}?sample=${sample}`);
+      await at(`#/${mode}?sample=${sample}`);
+      samples.push(await drawn());
+    }
+    await demo.page.goBack();
+    await at(`#/${mode}?sample=${others[0]}`);
+    assert.deepEqual(await drawn(), samples[0]);
+    await demo.page.goBack();
+    await at(`#/${mode}`);
+    assert.deepEqual(await drawn(), work);
+    await demo.page.goForward();
+    await at(`#/${mode}?sample=${others[0]}`);
+    assert.deepEqual(await drawn(), samples[0]);
+    await demo.page.goBack();
+    await at(`#/${mode}`);
+    assert.deepEqual(await drawn(), work);
+    await demo.press("Control+z");
+    assert.deepEqual(await drawn(), samples[0], "one step of the history");
+    assert.deepEqual(demo.complaints, []);
+  }
+});
+
 test("V02 a route to a later mode's sample opens that mode with that sample", async (t) => {
   const demo = await open(t, "#/fit?sample=fit-star");
   await assertMode(demo, "fit");

@@ -5,7 +5,7 @@ import { emptySurface, noNetPoints } from "../document/surface/surface.ts";
 import { emptyTrace } from "../document/trace/trace.ts";
 import { loadCurve } from "./curve/edits.ts";
 import { defaultSettings } from "./initial-state.ts";
-import type { Editor, OverlayId } from "./editor.ts";
+import type { Editor, EditorState, OverlayId } from "./editor.ts";
 import { fitView } from "./actions/standard-actions.ts";
 
 /**
@@ -38,9 +38,9 @@ let opened: { readonly sample: string; readonly curve: object } | null = null;
 export function openSample(editor: Editor, id: string): boolean {
   const sample = curveSample(id);
   if (sample === undefined) return false;
+  editor.patch({ mode: "curve" });
   // Known before it is there: whoever hears of the change asks for the route at once.
   opened = { sample: id, curve: sample.curve };
-  editor.patch({ mode: "curve" });
   loadCurve(editor, `Open ${sample.title}`, sample.curve);
   const lessons: Partial<Record<OverlayId, boolean>> = Object.fromEntries(sample.overlays.map((overlay) => [overlay, true]));
   const own: OverlayId[] = ["bezier", "comb", "polygon"];
@@ -97,6 +97,8 @@ function nameFit(editor: Editor, sample: string): void {
 
 /** Keeps address and state together, both ways. Call once, after the first document is there. */
 export function connectRoutes(editor: Editor, until: AbortSignal): void {
+  /** What was worked on in each mode when another sample was last opened over it. */
+  const work: Partial<Pick<EditorState, Mode>> = {};
   const write = (push: boolean): void => {
     const next = printRoute(routeOf(editor));
     if (location.hash === next) return;
@@ -104,20 +106,30 @@ export function connectRoutes(editor: Editor, until: AbortSignal): void {
     else history.replaceState(null, "", next);
   };
   let following = false;
+  let last = routeOf(editor).sample;
   editor.state.subscribe((state, before) => {
-    if (following || (state.mode === before.mode && state.mode !== "surface" && state.curve === before.curve && state.fit.sample === before.fit.sample
+    const { mode } = state;
+    const { sample } = routeOf(editor);
+    const isOther = sample !== null && sample !== before[mode].sample;
+    if (isOther && last === null && mode === before.mode) Object.assign(work, { [mode]: before[mode] });
+    last = sample;
+    if (following || (mode === before.mode && mode !== "surface" && state.curve === before.curve && state.fit.sample === before.fit.sample
       && state.trace.sample === before.trace.sample)) return;
     // Another mode or another sample is a page to come back to; an edit only stops the address from promising the
     // sample.
-    const { sample } = routeOf(editor);
-    const last = before[state.mode].sample;
-    write(state.mode !== before.mode || (sample !== null && sample !== last));
+    write(mode !== before.mode || isOther);
   }, { until });
   window.addEventListener("hashchange", () => {
     const route = parseRoute(location.hash);
     if (route === null) return;
     following = true;
     follow(editor, route);
+    const { mode, sample } = route;
+    // Back from a sample is back at what it was opened over: one step of the history, as opening it was.
+    if (sample === null && mode in work && routeOf(editor).sample !== null) {
+      editor.setState({ ...editor.getState(), trace: editor.state.value.trace, [mode]: work[mode] });
+      fitView(editor);
+    }
     following = false;
     write(false);
   }, { signal: until });

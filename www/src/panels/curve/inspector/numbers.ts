@@ -1,4 +1,5 @@
 import { pointAt, type Kind, type Offset, type PointRef, type Side } from "../../../document/document.ts";
+import "../../../styles/inspector.css";
 import type { Editor, EditorState } from "../../../editor/editor.ts";
 import { degreesOf, nudge, setHandlePolar, setKind, setPoint } from "../../../editor/curve/edits.ts";
 import { unitOf } from "../../../kernel/unit.ts";
