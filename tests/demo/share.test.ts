@@ -108,6 +108,10 @@ test("DM-001 an edit is kept when the page is left at once", async (t) => {
 test("DM-001 what was done just before a drag is kept when a reload interrupts the drag", async (t) => {
   const demo = await open(t, "#/curve?sample=heart");
   await demo.drag("pt-0-1", 40, 30);
+  // What keeps it comes with the first change.
+  const parts = (): Promise<string[]> => demo.page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
+  await demo.until(parts, (names) => names.some((name) => name.includes("/autosave-")), "it can be kept");
+  await demo.idle();
   const { curve } = await demo.state();
   const { x, y } = await demo.centre("pt-0-1");
   await demo.page.mouse.move(x, y);
