@@ -141,6 +141,28 @@ test("DM-001 a drag that is interrupted by a reload leaves the state before it",
   assertSame((await demo.state()).curve, kept);
 });
 
+test("DM-001 a tab that lay idle while others were worked in, and more of them than are kept, shows its own work when it is loaded again", async (t) => {
+  const shared = await context(t);
+  const edited = async (sample: string, by: number): Promise<Demo> => {
+    const demo = new Demo(await shared.newPage());
+    await demo.load(`#/curve?sample=${sample}`);
+    await demo.withoutSnap();
+    await demo.drag("pt-0-0", by, 30);
+    await demo.kept();
+    return demo;
+  };
+  const own = await edited("heart", 40);
+  const { curve } = await own.state();
+  const text = JSON.stringify(curve);
+  for (let i = 0; i < 4; i += 1) await edited("glyph", 40 + i);
+  await own.until(() => own.keptTexts(), (all) => all.every((each) => !each.text.includes(text)), "it has given way");
+  await own.page.bringToFront();
+  await own.page.reload();
+  await own.page.evaluate(() => window.explineDemo.ready);
+  await own.idle();
+  assert.deepEqual((await own.state()).curve, curve);
+});
+
 test("DM-002 a tab that is killed loses nothing that was committed more than a second before", async (t) => {
   const shared = await context(t);
   const demo = new Demo(await shared.newPage());
@@ -183,6 +205,8 @@ test("DM-003 DM-008 whichever byte of the newest copy is damaged, the copy befor
     const damaged = whole.slice(0, at) + String.fromCharCode(whole.charCodeAt(at) ^ 1) + whole.slice(at + 1);
     await aside(demo);
     await demo.page.evaluate(([where, text]) => new Promise<void>((resolve, reject) => {
+      // Left there by the page that was just left.
+      localStorage.removeItem(where);
       const request = indexedDB.open("expline");
       request.onsuccess = () => {
         const transaction = request.result.transaction("kept", "readwrite");

@@ -27,6 +27,8 @@ export interface Autosave {
   touch(): void;
 }
 
+type Work = Unsealed & { readonly state: DemoState };
+
 export function createAutosave({ read, busy, abandon, failing, until }: AutosaveOptions): Autosave {
   const session = Math.random().toString(36).slice(2, 10).padEnd(8, "0");
   let generation = 0;
@@ -34,8 +36,9 @@ export function createAutosave({ read, busy, abandon, failing, until }: Autosave
   let failed = false;
   /** Writes come one after the other; of those that wait, the newest is enough. */
   let writing = makeRoom(session);
-  /** The newest that is not kept yet. */
-  let newest: (Unsealed & { readonly state: DemoState }) | null = null;
+  /** The newest that is not kept yet, and the last that was to be. */
+  let newest: Work | null = null;
+  let last: Work | null = null;
 
   const writeNewest = async (): Promise<void> => {
     if (newest === null) return;
@@ -52,13 +55,13 @@ export function createAutosave({ read, busy, abandon, failing, until }: Autosave
     if (busy()) return touch();
     generation += 1;
     rememberTab(session);
-    newest = { session, generation, time: Date.now(), state: read() };
+    newest = last = { session, generation, time: Date.now(), state: read() };
     writing = writing.then(writeNewest);
   };
   /** Says whether all of it is kept: a page that is being left may not live until the database has answered. */
   const leave = (): boolean => {
     take();
-    return newest === null || keepAtOnce(seal({ ...newest, json: writeState(newest.state) }));
+    return newest === null || keepNow(newest);
   };
   const touch = (): void => {
     // From the first change that is not kept yet, so that steady work is kept every second, not never.
@@ -68,11 +71,19 @@ export function createAutosave({ read, busy, abandon, failing, until }: Autosave
   window.addEventListener("pagehide", () => {
     // What was done before it may not be kept yet.
     if (busy()) abandon();
-    if (leave()) letGo();
+    const isKept = leave();
+    // Sessions of other tabs may have taken its place meanwhile: here, where it is wanted next, it is kept once more.
+    if (newest === null && last !== null) keepNow(last);
+    if (isKept) letGo();
   }, { signal: until });
   window.addEventListener("pageshow", takeUp, { signal: until });
   until.addEventListener("abort", () => timer !== null && clearTimeout(timer), { once: true });
   return { touch };
+}
+
+/** Before this call returns, if there is room. */
+function keepNow({ state, ...what }: Work): boolean {
+  return keepAtOnce(seal({ ...what, json: writeState(state) }));
 }
 
 /** Of a frame, what the writing of a large drawing takes before the page has its turn. */
