@@ -238,6 +238,39 @@ fn a_tolerance_is_kept_where_corners_may_not_be_or_not_slight_ones() {
     }
 }
 
+/// Corners that turn too little used to be made smooth one by one, for a knot on either side: 481 of 600 points.
+#[test]
+fn a_rough_line_has_no_more_knots_where_corners_must_turn_than_where_there_are_none() {
+    const LEAST: f64 = 0.5;
+    let line = |count: usize| {
+        let place = |i: usize| {
+            let a = TURN * i as f64 / count as f64;
+            let wide = Point::new(libm::cos(a), libm::sin(a)) * 300.0;
+            wide + Point::new(libm::cos(5.0 * a), libm::sin(3.0 * a)) * 80.0
+        };
+        (0..count).map(place).collect::<Vec<Point>>()
+    };
+    for count in [200, 600] {
+        let points = noisy(&line(count), 1.0, 3);
+        for tolerance in [1.0, 2.0] {
+            let fitted = |corners: bool| {
+                let least_turn = if corners { LEAST } else { 0.0 };
+                let options = Options { closed: Some(false), corners, least_turn, ..Options::default() };
+                fit(&points, Ask::Tolerance(tolerance), &options).expect("fits")
+            };
+            let (cornered, smooth) = (fitted(true), fitted(false));
+            let what = format!("{count} points within {tolerance}");
+            assert!(cornered.max_error <= tolerance, "{what}: {}", cornered.max_error);
+            let [with, without] = [&cornered, &smooth].map(|fitted| fitted.knots.len());
+            assert!(with <= without, "{what}: {with} knots, and {without} without corners");
+            assert!(
+                turns(&cornered).all(|turn| !(1e-6..LEAST - 1e-6).contains(&turn)),
+                "{what}: a slight corner"
+            );
+        }
+    }
+}
+
 #[test]
 fn points_on_a_line_are_one_line_however_they_are_spread() {
     for power in [1, 2, 3, 6] {

@@ -287,14 +287,7 @@ fn go_on(searches: &mut Vec<Sparsest>, rounds: &mut usize) -> Result<bool> {
         None => {}
     }
     if done && searches.iter().all(|search| search.lacking().is_some()) {
-        done = match searches[0].resort_to_polyline()? {
-            Resorted::Underway => false,
-            Resorted::Over => true,
-            Resorted::Begun(search) => {
-                searches.push(*search);
-                false
-            }
-        };
+        done = resorted(searches)?;
     }
     if BY_SQUARES
         && done
@@ -305,6 +298,23 @@ fn go_on(searches: &mut Vec<Sparsest>, rounds: &mut usize) -> Result<bool> {
         done = false;
     }
     Ok(done)
+}
+
+/// A round of what is resorted to where all searches lack something: the polyline of the first, and of the first
+/// without corners where those must turn by so much. Answers whether there is no more of it.
+fn resorted(searches: &mut Vec<Sparsest>) -> Result<bool> {
+    let rounded = searches.iter().position(|search| search.least_turn() < searches[0].least_turn());
+    for next in [Some(0), rounded].into_iter().flatten() {
+        match searches[next].resort_to_polyline()? {
+            Resorted::Over => {}
+            Resorted::Underway => return Ok(false),
+            Resorted::Begun(search) => {
+                searches.push(*search);
+                return Ok(false);
+            }
+        }
+    }
+    Ok(true)
 }
 
 /// A round of the first rival that has needless knots; where none has any, the cheapest of them, and the others.

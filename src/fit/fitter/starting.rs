@@ -107,18 +107,19 @@ impl Fitter {
             _ if cornered => degree,
             _ => (degree - 1).max(1),
         };
+        let least_turn = if cornered { self.options.least_turn } else { 0.0 };
         let plan = |smoothest: usize| Plan {
             degree,
             sharpest,
             smoothest,
             closed: self.samples.closed,
-            least_turn: self.options.least_turn,
+            least_turn,
             end: self.end,
             spaced: self.even,
             free: false,
             timed: !self.options.parameters.is_empty(),
             // What lies on sides that were filled up says where these are.
-            sweeps: sweeps && self.own.is_empty() && self.options.least_turn <= 0.0,
+            sweeps: sweeps && self.own.is_empty() && least_turn <= 0.0,
         };
         if self.own.is_empty() && self.located_for == Some(Purpose::Clicks) {
             let smooth = Plan { sharpest: degree - 1, ..plan(1) };
@@ -146,6 +147,14 @@ impl Fitter {
             let few = self.located.points.len() <= MOST_TWICE || aim.is_fine();
             let apart = matches!(aim, Aim::Tolerance(_)) && few;
             if apart { others.extend(corners) } else { rivals.extend(corners) }
+        }
+        // Of a rough line hardly any corner turns by as much as is asked for: without any it has fewer knots than where
+        // those that turn too little are made smooth.
+        if matches!(aim, Aim::Tolerance(_)) && least_turn > 0.0 && degree > 1 && self.own.is_empty() {
+            for smoothest in 1..degree.min(3) {
+                let smooth = Plan { sharpest: degree - 1, least_turn: 0.0, sweeps, ..plan(smoothest) };
+                others.push(Sparsest::new(self.located.copied()?, smooth, aim, self.level));
+            }
         }
         self.run = Run::Choice(rivals, others);
         Ok(())

@@ -299,6 +299,11 @@ impl Sparsest {
         })
     }
 
+    /// By how much a corner turns at least.
+    pub(in crate::fit) fn least_turn(&self) -> f64 {
+        self.asked.least_turn
+    }
+
     /// Whether the search has ended.
     pub(in crate::fit) fn is_done(&self) -> bool {
         self.phase == Phase::Done
