@@ -93,16 +93,13 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   };
   editor.state.subscribe((state, before) => {
     if (drawnDiffers(state, before)) repaint();
-  }, { until });
-  editor.state.subscribe(({ cursor }) => {
-    if (surface.style.cursor !== cursor) surface.style.cursor = cursor;
+    if (surface.style.cursor !== state.cursor) surface.style.cursor = state.cursor;
   }, { until });
   const observer = new ResizeObserver(measure);
   observer.observe(surface);
   until.addEventListener("abort", () => observer.disconnect(), { once: true });
-  for (const type of ["themechange", "resize"]) {
-    window.addEventListener(type, type === "resize" ? measure : recolour, { signal: until });
-  }
+  window.addEventListener("themechange", recolour, { signal: until });
+  window.addEventListener("resize", measure, { signal: until });
   for (const type of ["focusin", "focusout"]) surface.addEventListener(type, repaint, { signal: until });
   frame.add("paint", paint);
   measure();
