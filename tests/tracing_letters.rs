@@ -220,3 +220,23 @@ fn a_stroke_of_one_whole_pixel_is_as_wide_as_it_is_between_gray_ones() {
     let (off, [x, y]) = farthest(&rows);
     assert!(off < 0.35, "off by {off} of the pixel at {x}, {y}");
 }
+
+#[test]
+fn an_outline_begins_again_where_that_leaves_a_little_less_and_keeps_its_foot() {
+    // An i of 20 pixels: in so few pixels what its own outline lacks is most of what there is to compare it with.
+    let dot = [0, 0, 0, 112, 255, 80, 0, 0, 0];
+    let below = [0, 0, 0, 21, 48, 15, 0, 0, 0];
+    let none = [0; 9];
+    let serif = [56, 223, 223, 223, 223, 70, 0, 0, 0];
+    let under = [36, 143, 143, 192, 255, 80, 0, 0, 0];
+    let foot = [80, 80, 80, 156, 255, 134, 80, 80, 70];
+    let base = [255, 255, 255, 255, 255, 255, 255, 255, 223];
+    let last = [32, 32, 32, 32, 32, 32, 32, 32, 28];
+    let mut rows = vec![dot.as_slice(); 17];
+    (rows[3], rows[4], rows[5], rows[6]) = (&below, &none, &serif, &under);
+    (rows[14], rows[15], rows[16]) = (&foot, &base, &last);
+    let above = [0, 0, 0, 14, 32, 10, 0, 0, 0];
+    rows[0] = &above;
+    let (off, [x, y]) = farthest(&rows);
+    assert!(off < 0.2, "off by {off} of the pixel at {x}, {y}");
+}

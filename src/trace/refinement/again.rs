@@ -10,9 +10,9 @@ use crate::trace::outline::Outline;
 /// What leaves so much of coverage, root mean square, and so many times as much as the grain, is worth another
 /// beginning.
 const POOR: f64 = 0.02;
-const GRAINS: f64 = 3.0;
+const GRAINS: f64 = 1.5;
 /// The second way is taken if it leaves so much of the squares at most.
-const BETTER: f64 = 0.5;
+const BETTER: f64 = 0.8;
 
 /// An outline that has begun again.
 #[derive(Debug)]
