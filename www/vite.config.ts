@@ -21,6 +21,9 @@ const parts = {
  */
 const common = /\/www\/src\/(?:document\/(?:document|problem|unit|curve\/(?:contours|offset|roots|commands))|kernel\/(?:unit|curve\/(?:curve-cache|samples)|paths\/paths)|editor\/pointer\/camera|panels\/controls\/dom)\.ts$/u;
 
+/** What the page began with need not be looked for before what comes later. */
+const resolveDependencies = (_: string, files: string[]): string[] => files.filter((file) => !/\/(?:common|index)-[^/]*\.js$/u.test(file));
+
 export default defineConfig({
   root: import.meta.dirname,
   base: "./",
@@ -28,7 +31,7 @@ export default defineConfig({
   define: { __WASM_BYTES__: JSON.stringify(statSync(wasm).size) },
   // Assets are never inlined as data: URLs: the page's Content Security Policy has none for scripts and styles.
   build: {
-    outDir: "dist", emptyOutDir: true, target: "es2022", assetsInlineLimit: 0, modulePreload: { polyfill: false }, chunkSizeWarningLimit: 600,
+    outDir: "dist", emptyOutDir: true, target: "es2022", assetsInlineLimit: 0, modulePreload: { polyfill: false, resolveDependencies }, chunkSizeWarningLimit: 600,
     rolldownOptions: { output: { codeSplitting: { groups: [{ name: "common", test: common }] } } },
   },
 });

@@ -6,7 +6,6 @@ import { late } from "../editor/loading.ts";
 import { nothingSketched } from "../editor/sketch.ts";
 import { drawArtboard, drawCurves, drawFill, drawSpans } from "./layers/curves.ts";
 import { drawBezier } from "./layers/bezier.ts";
-import { drawGrid } from "./layers/grid.ts";
 import { drawHandles, drawPoints, isCrowded } from "./layers/points.ts";
 import { drawnDiffers } from "./drawn.ts";
 import { readPalette } from "./palette.ts";
@@ -111,12 +110,14 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
  * shown.
  */
 function curvePainter(editor: Editor, repaint: () => void): Painter {
+  const grid = late(editor, ({ settings }) => settings.overlays.grid, () => import("./layers/grid.ts"), repaint);
   const analysis = late(editor, explains, () => import("./layers/analysis.ts"), repaint);
   const many = late(editor, ({ curve }) => isCrowded(curve), () => import("./small-points.ts"), repaint);
   const sketch = late(editor, sketches, () => import("./layers/sketch.ts"), repaint);
   const weights = late(editor, ({ settings }) => settings.overlays.weights, () => import("./layers/weights.ts"), repaint);
   const framing = late(editor, ({ selection }) => selection.points.length > 1, () => import("./layers/frame.ts"), repaint);
   const paint = (scene: Scene): void => {
+    grid()?.drawGrid(scene);
     for (const layer of below) layer(scene);
     sketch()?.drawBefore(scene);
     drawBezier(scene);
@@ -132,8 +133,8 @@ function curvePainter(editor: Editor, repaint: () => void): Painter {
   return { paint };
 }
 
-/** From the paper up, below what the drawing was and above the weights and the frame. */
-const below: readonly ((scene: Scene) => void)[] = [drawGrid, drawArtboard, drawFill];
+/** From the grid up, below what the drawing was and above the weights and the frame. */
+const below: readonly ((scene: Scene) => void)[] = [drawArtboard, drawFill];
 const curves: readonly ((scene: Scene) => void)[] = [drawSpans, drawCurves];
 
 /** Whether anything is to be shown that only explains the curve. */

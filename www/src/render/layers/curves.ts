@@ -6,7 +6,7 @@ import { affectedSegments } from "../../document/curve/roots.ts";
 import { segmentPolygon } from "../../kernel/curve/samples.ts";
 import { documentPaths } from "../outlines.ts";
 import { inPage, pathOfPoints, type Scene } from "../scene.ts";
-import { drawSheet } from "./grid.ts";
+import { drawSheet } from "./sheet.ts";
 
 /** The drawing itself on its sheet, and what of it a drag would change. */
 

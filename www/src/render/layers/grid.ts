@@ -1,7 +1,6 @@
-import type { Artboard } from "../../document/artboard.ts";
 import { toPage } from "../../editor/pointer/camera.ts";
 import { gridOf } from "../../editor/pointer/snapping.ts";
-import { inPage, inScreen, onScreen, type Scene } from "../scene.ts";
+import { inScreen, onScreen, type Scene } from "../scene.ts";
 
 /** Dots at the grid's steps; the step doubles until dots are at least 12 px apart. */
 export function drawGrid(scene: Scene): void {
@@ -22,12 +21,4 @@ export function drawGrid(scene: Scene): void {
     }
   }
   context.globalAlpha = 1;
-}
-
-/** Where a sheet ends. */
-export function drawSheet(scene: Scene, { x, y, width, height }: Artboard): void {
-  const context = inPage(scene);
-  context.strokeStyle = scene.palette.line;
-  context.lineWidth = 1 / scene.state.view.zoom;
-  context.strokeRect(x, y, width, height);
 }

@@ -5,7 +5,8 @@ import type { PointOfOutline, TraceViewId } from "../../editor/trace/trace-state
 import { byColor, pointCount, type ShownPicture, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import type { Bounds } from "../../kernel/curve/samples.ts";
 import { cubicsOf } from "../../kernel/paths/paths.ts";
-import { drawGrid, drawSheet } from "../layers/grid.ts";
+import { drawGrid } from "../layers/grid.ts";
+import { drawSheet } from "../layers/sheet.ts";
 import { drawPoint } from "../markers.ts";
 import { documentPaths, type Outlines } from "../outlines.ts";
 import { addCubics, boxAround, inPage, inScreen, onScreen, overlap, sightOf, toleranceOf, type Scene } from "../scene.ts";
