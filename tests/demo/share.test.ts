@@ -105,6 +105,54 @@ test("DM-001 an edit is kept when the page is left at once", async (t) => {
   assert.equal(await demo.page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("expline.kept.")).length), 0, "it has moved into the database");
 });
 
+for (const [how, leave] of [
+  ["goes to another page", async ({ page }) => void (await page.goto("about:blank"))],
+  ["closes the tab", ({ page }) => page.close({ runBeforeUnload: true })],
+  ["looks at another tab, and the browser ends this one", ({ page }) => page.evaluate(() => {
+    Object.defineProperty(document, "visibilityState", { value: "hidden" });
+    Object.defineProperty(document, "hidden", { value: true });
+    document.dispatchEvent(new Event("visibilitychange"));
+    // What ends without a word.
+    window.addEventListener("pagehide", (event) => event.stopImmediatePropagation(), { capture: true });
+  })],
+] as const satisfies readonly (readonly [string, (demo: Demo) => Promise<void>])[]) {
+  test(`DM-001 who ${how} before what keeps drawings has come finds the first edit again`, async (t) => {
+    const shared = await context(t, { serviceWorkers: "block" });
+    // So that there is a page left when one is closed.
+    const next = new Demo(await shared.newPage());
+    const demo = new Demo(await shared.newPage());
+    await demo.load("");
+    await demo.page.route(/\/(autosave|keeping)-[^/]*\.js/u, () => undefined);
+    await demo.focusStage();
+    await demo.page.keyboard.press("]");
+    await demo.page.keyboard.press("ArrowUp");
+    const { curve } = await demo.state();
+    await leave(demo);
+    await next.load("");
+    assertSame((await next.state()).curve, curve);
+  });
+}
+
+test("DM-001 where what keeps drawings never came, the last edit is there at the next visit, and a drag that was under way is not", async (t) => {
+  const demo = await open(t, "", { serviceWorkers: "block" });
+  await demo.page.route(/\/autosave-[^/]*\.js/u, (route) => route.abort());
+  await demo.withoutSnap();
+  await demo.drag("pt-0-0", 40, 30);
+  await demo.page.locator("[data-error=storage]").waitFor();
+  const { curve } = await demo.state();
+  const { x, y } = await demo.centre("pt-0-1");
+  await demo.page.mouse.move(x, y);
+  await demo.page.mouse.down();
+  await demo.page.mouse.move(x + 60, y + 20, { steps: 4 });
+  await demo.idle();
+  assert.notDeepEqual((await demo.state()).curve, curve, "the drag has begun");
+  await demo.page.reload();
+  await demo.page.mouse.up();
+  await demo.page.evaluate(() => window.explineDemo.ready);
+  await demo.idle();
+  assertSame((await demo.state()).curve, curve);
+});
+
 test("DM-001 what was done just before a drag is kept when a reload interrupts the drag", async (t) => {
   const demo = await open(t, "#/curve?sample=heart");
   await demo.drag("pt-0-1", 40, 30);

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { letGo, takeUp } from "../src/io/keeping/database.ts";
 import { allKept, keep } from "../src/io/keeping/keeping.ts";
-import { seal } from "../src/io/keeping/sealed.ts";
+import { seal } from "../src/io/keeping/seal.ts";
 
 /** A database that another page, which the browser has frozen, keeps from answering. */
 

@@ -1,9 +1,11 @@
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 import { keep } from "../src/io/keeping/keeping.ts";
-import { seal, sealPieces, unseal } from "../src/io/keeping/sealed.ts";
+import { seal } from "../src/io/keeping/seal.ts";
+import { sealPieces, unseal } from "../src/io/keeping/sealed.ts";
 import { emptyCurve, type Contour, type DemoState } from "../src/document/document.ts";
-import { statePieces, writeState } from "../src/document/file/write.ts";
+import { statePieces } from "../src/io/keeping/pieces.ts";
+import { writeState } from "../src/document/file/write.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
 
 /** What is kept where the database does not do as it should. */

@@ -3,34 +3,13 @@ import type { PngSize, Subject } from "./picture/png-size.ts";
 import type { SvgOptions } from "./svg/svg-write.ts";
 import type { DemoState, Space } from "../document/document.ts";
 import type { Imported } from "../document/imported.ts";
-import type { Autosave, AutosaveOptions } from "./keeping/autosave.ts";
 import type { Kept } from "./keeping/kept.ts";
+import { createAutosave } from "./keeping/beginning.ts";
 import { copyText, download } from "./download.ts";
 import { listenForIncoming } from "./incoming.ts";
 import type { Incoming } from "./incoming-file.ts";
 import { isShareLink } from "./link/link.ts";
 import { hasKept, localStore, rememberTab, tabShows } from "./keeping/store.ts";
-
-/** Keeping begins with the first change; until then there is nothing to keep. */
-function createAutosave(options: AutosaveOptions): Autosave {
-  let keeping: Promise<Autosave> | null = null;
-  let missing = false;
-  const begun = (): Promise<Autosave> => (keeping ??= import("./keeping/autosave.ts").then((loaded) => loaded.createAutosave(options)));
-  const tell = (is: boolean): void => {
-    if (is !== missing) options.failing(is);
-    missing = is;
-  };
-  return {
-    touch: () => void begun().then((autosave) => {
-      tell(false);
-      autosave.touch();
-    }, () => {
-      // The next change tries again.
-      keeping = null;
-      tell(true);
-    }),
-  };
-}
 
 /** Everything the panels are handed of this room. What a visit may never need is loaded when it is first asked for. */
 export const pageIo = {

@@ -3,11 +3,13 @@
  * turns, each with a checksum: a torn or damaged write opens the other one, and no tab can overwrite another's work.
  */
 import type { DemoState } from "../../document/document.ts";
-import { statePieces, writeState } from "../../document/file/write.ts";
+import { writeState } from "../../document/file/write.ts";
 import { letGo, takeUp } from "./database.ts";
-import { keep, keepAtOnce, makeRoom } from "./keeping.ts";
-import { seal, sealPieces, type Unsealed } from "./sealed.ts";
-import { rememberTab } from "./store.ts";
+import { keep, makeRoom } from "./keeping.ts";
+import { statePieces } from "./pieces.ts";
+import { seal, type Unsealed } from "./seal.ts";
+import { sealPieces } from "./sealed.ts";
+import { keepAtOnce, rememberTab } from "./store.ts";
 
 const delayMs = 1000;
 
@@ -29,8 +31,7 @@ export interface Autosave {
 
 type Work = Unsealed & { readonly state: DemoState };
 
-export function createAutosave({ read, busy, abandon, failing, until }: AutosaveOptions): Autosave {
-  const session = Math.random().toString(36).slice(2, 10).padEnd(8, "0");
+export function createAutosave(session: string, { read, busy, abandon, failing, until }: AutosaveOptions): Autosave {
   let generation = 0;
   let timer: ReturnType<typeof setTimeout> | null = null;
   let failed = false;

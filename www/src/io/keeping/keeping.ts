@@ -1,6 +1,6 @@
 import { readAll, remove, write, type KeptText } from "./database.ts";
 import { byAge, generationOf, sessionOf, unseal } from "./sealed.ts";
-import { keysOf, localStore, markKept } from "./store.ts";
+import { keepAtOnce, keysOf, localStore, markKept } from "./store.ts";
 
 /**
  * What is kept, wherever: the database has all of it, and the local store what was written when there was no time, or
@@ -13,17 +13,6 @@ function inLocalStore(): KeptText[] {
     return storage === null ? [] : keysOf(storage).map((key) => ({ key, text: storage.getItem(key) ?? "" }));
   } catch {
     return [];
-  }
-}
-
-/** Written before this call returns, if there is room. */
-export function keepAtOnce({ key, text }: KeptText): boolean {
-  const storage = localStore();
-  try {
-    storage?.setItem(key, text);
-    return storage?.getItem(key) === text;
-  } catch {
-    return false;
   }
 }
 

@@ -2,6 +2,7 @@
  * The browser's small local store, as far as this page uses it: it says whether there is anything in the database, and
  * takes what has to be written at once, when the page is being left.
  */
+import type { KeptText } from "./database.ts";
 
 export const prefix = "expline.kept.";
 /** There is something in the database. */
@@ -17,6 +18,17 @@ export function hasKept(storage: Storage | null): boolean {
     return storage === null || storage.getItem(mark) !== null || keysOf(storage).length > 0;
   } catch {
     return true;
+  }
+}
+
+/** Written before this call returns, if there is room. */
+export function keepAtOnce({ key, text }: KeptText): boolean {
+  const storage = localStore();
+  try {
+    storage?.setItem(key, text);
+    return storage?.getItem(key) === text;
+  } catch {
+    return false;
   }
 }
 
