@@ -21,6 +21,9 @@ const parts = {
  */
 const common = /\/www\/src\/(?:document\/(?:document|problem|unit|curve\/(?:contours|offset|roots|commands))|kernel\/(?:unit|curve\/(?:curve-cache|samples)|paths\/paths)|editor\/pointer\/camera|panels\/controls\/dom)\.ts$/u;
 
+/** The first page names eighty files, and hashes do not compress: seven letters of them are as short as they may be. */
+const names = { entryFileNames: "assets/[name]-[hash:7].js", chunkFileNames: "assets/[name]-[hash:7].js", assetFileNames: "assets/[name]-[hash:7][extname]" };
+
 /** What the page began with need not be looked for before what comes later. */
 const resolveDependencies = (_: string, files: string[]): string[] => files.filter((file) => !/\/(?:common|index)-[^/]*\.js$/u.test(file));
 
@@ -32,6 +35,6 @@ export default defineConfig({
   // Assets are never inlined as data: URLs: the page's Content Security Policy has none for scripts and styles.
   build: {
     outDir: "dist", emptyOutDir: true, target: "es2022", assetsInlineLimit: 0, modulePreload: { polyfill: false, resolveDependencies }, chunkSizeWarningLimit: 600,
-    rolldownOptions: { output: { codeSplitting: { groups: [{ name: "common", test: common }] } } },
+    rolldownOptions: { output: { ...names, codeSplitting: { groups: [{ name: "common", test: common }] } } },
   },
 });
