@@ -1,7 +1,7 @@
 import { whenLoaded } from "./editor/loading.ts";
 import { registerSurfaceActions } from "./editor/surface/surface-actions.ts";
 import { ensureSurface } from "./editor/surface/surface-edits.ts";
-import { surfaceHint, surfaceSummary } from "./editor/surface/surface-hint.ts";
+import { surfaceChosen, surfaceHint, surfaceSummary } from "./editor/surface/surface-hint.ts";
 import { surfaceView } from "./editor/surface/surface-view.ts";
 import { meshPoints, surfaceSample } from "./kernel/surface/surface.ts";
 import { startSurfaceEngine } from "./kernel/surface/surface-engine.ts";
@@ -37,7 +37,7 @@ export async function mountSurfaceMode({ editor, frame, stage, surface, panels, 
   const { painter } = await createSurfaceStage(editor, frame, surface, until);
   createNetProxies(editor, frame, surface, until);
   editor.modes.set("surface", {
-    label: "Surface", tool, view: surfaceView(editor), hint: surfaceHint, summary: surfaceSummary,
+    label: "Surface", tool, view: surfaceView(editor), hint: surfaceHint, summary: surfaceSummary, chosen: surfaceChosen,
     program: surfaceProgram,
     sample: ({ surface: shown }) => (shown === surfaceSample(shown.sample) ? shown.sample : null),
   });

@@ -41,4 +41,6 @@ export interface ModeParts {
   saved?(state: EditorState): TraceDocument;
   /** The picture in words, for those who do not see it. */
   summary?(state: EditorState): string;
+  /** What arrows would move, and where it is; nothing where nothing is chosen. */
+  chosen?(state: EditorState): string;
 }

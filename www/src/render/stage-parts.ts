@@ -1,5 +1,6 @@
 import type { EditorState, Editor } from "../editor/editor.ts";
 import { describe } from "../editor/curve/edits.ts";
+import type { ModeParts } from "../editor/mode.ts";
 import { hintFor } from "../editor/hint.ts";
 import { measureCurve } from "../kernel/curve/measuring/measure.ts";
 
@@ -28,23 +29,32 @@ export function mountHint(editor: Editor, element: HTMLElement, until: AbortSign
 const settleMs = 700;
 
 /**
- * Announcements at once; the drawing's summary, and where what is chosen is now, when it has been still for a moment.
+ * Announcements at once. When it has been still for a moment: the drawing's summary, and aloud where what is chosen is
+ * now, or else what has become of the drawing.
  */
 export function mountLive(editor: Editor, live: HTMLElement, summary: HTMLElement, until: AbortSignal): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
+  let known: ModeParts | undefined;
   const summarise = (): void => {
     const state = editor.state.value;
-    summary.textContent = editor.modes.get(state.mode)?.summary?.(state) ?? summaryOf(state);
-    const chosen = state.mode === "curve" ? chosenIn(state) : "";
-    if (chosen !== "") live.textContent = chosen;
+    const text = known?.summary?.(state) ?? (state.mode === "curve" ? summaryOf(state) : "");
+    const before = summary.textContent;
+    summary.textContent = text;
+    const chosen = known === undefined ? chosenIn(state) : known.chosen?.(state) ?? "";
+    // What can be done with it is there for who asks.
+    const news = before === "" || before === text ? "" : text.split(" Brackets ")[0] ?? "";
+    const said = chosen === live.textContent ? news : chosen || news;
+    if (said !== "") live.textContent = said;
   };
   editor.notices.subscribe((notice) => {
-    // Toasts are read out where they stand.
+    // Toasts are read out where they stand. The same once more is news.
     if (notice?.kind === "announce") live.textContent = notice.text;
   }, { until });
   editor.state.subscribe((state, before) => {
-    if (state.curve === before.curve && state.selection === before.selection && state.surface === before.surface && state.fitRun === before.fitRun && state.traceRun === before.traceRun
+    const own = editor.modes.get(state.mode);
+    if (own === known && state.curve === before.curve && state.selection === before.selection && state.surface === before.surface && state.fitRun.outcome === before.fitRun.outcome && state.traceRun === before.traceRun
       && state.mode === before.mode && state.engine === before.engine) return;
+    known = own;
     if (state.engine.status !== "ready") return;
     clearTimeout(timer);
     // The first drawing is there as soon as it is shown.
@@ -54,9 +64,9 @@ export function mountLive(editor: Editor, live: HTMLElement, summary: HTMLElemen
 }
 
 /** What arrows would move. */
-function chosenIn({ curve, selection: { points, handle } }: EditorState): string {
+function chosenIn({ curve, mode, selection: { points, handle } }: EditorState): string {
   const [ref] = points;
-  if (ref === undefined) return "";
+  if (ref === undefined || mode !== "curve") return "";
   return points.length > 1 ? `${points.length} points selected` : describe(curve, ref, handle?.side);
 }
 

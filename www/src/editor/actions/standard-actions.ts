@@ -19,6 +19,12 @@ function action(id: string, label: string, group: Action["group"], keys: readonl
   return { id, label, group, keys, run, ...more };
 }
 
+/** What is only to be seen is said as well. */
+const aloud = (run: Action["run"], text: (editor: Editor) => string): Action["run"] => (editor) => {
+  run(editor);
+  editor.notify({ kind: "announce", text: text(editor) });
+};
+
 /** Where the pointer, or the menu it opened, is on the curve. */
 function insertAtHover(editor: Editor): void {
   const { hover } = editor.state.value;
@@ -56,6 +62,13 @@ export function zoomTo(editor: Editor, zoom: number): void {
   const own = editor.modes.get(mode)?.view;
   if (own !== undefined) return own.zoomTo(zoom);
   editor.patch({ view: zoomedAt(view, stage, stageCentre(editor.state.value), zoom, boxOfAll(editor)) });
+}
+
+/** How large things are, as it is shown. */
+export function shownZoom(editor: Editor): string {
+  const { mode, view } = editor.state.value;
+  const now = (editor.modes.get(mode)?.view?.zoomNow ?? view.zoom) * 100;
+  return `${now < 1 ? Number(now.toPrecision(2)) : now < 1e6 ? Math.round(now) : now.toExponential(1).replace("+", "")} %`;
 }
 
 /** The box around all that the mode has on the plane; null while that is nothing. */
@@ -177,11 +190,14 @@ const transforms: readonly Action[] = ([
   action(id, label, "Points", [key], (editor) => framing(editor, ({ transforms: all }) => all[id](editor)), { enabled: hasSelection }),
 );
 
+const zooming = (id: string, label: string, keys: readonly string[], run: Action["run"]): Action =>
+  action(id, label, "View", keys, aloud(run, (editor) => `Zoom ${shownZoom(editor)}`), { live: true });
+
 const viewing: readonly Action[] = [
-  action("zoom-in", "Zoom in", "View", ["+", "="], (editor) => zoomBy(editor, 1.25), { live: true }),
-  action("zoom-out", "Zoom out", "View", ["-"], (editor) => zoomBy(editor, 0.8), { live: true }),
-  action("zoom-100", "Zoom to 100 %", "View", ["0"], (editor) => zoomTo(editor, 1), { live: true }),
-  action("zoom-fit", "Fit drawing in view", "View", ["F"], (editor) => fitView(editor), { live: true }),
+  zooming("zoom-in", "Zoom in", ["+", "="], (editor) => zoomBy(editor, 1.25)),
+  zooming("zoom-out", "Zoom out", ["-"], (editor) => zoomBy(editor, 0.8)),
+  zooming("zoom-100", "Zoom to 100 %", ["0"], (editor) => zoomTo(editor, 1)),
+  zooming("zoom-fit", "Fit drawing in view", ["F"], (editor) => fitView(editor)),
   action("zoom-chosen", "Fit selection in view", "View", ["Shift+F"], (editor) => framing(editor, ({ showChosen }) => showChosen(editor)), { live: true, enabled: hasSelection }),
   action("original-only", "Original only (hold)", "View", ["O"], (editor) => editor.patch({ originalOnly: true }), {
     release: (editor) => editor.patch({ originalOnly: false }),
@@ -192,13 +208,16 @@ export function registerStandardActions(editor: Editor): void {
   // Who has chosen something may delete it next.
   late(editor, hasSelection, renewing.load);
   const switches = overlays.map(([id, label, key]) =>
-    action(`overlay-${id}`, label, "View", key === null ? [] : [key], (target) => target.setOverlay(id, !target.state.value.settings.overlays[id]), {
+    action(`overlay-${id}`, label, "View", key === null ? [] : [key], aloud(
+      (target) => target.setOverlay(id, !target.state.value.settings.overlays[id]),
+      (target) => `${label} ${target.state.value.settings.overlays[id] ? "on" : "off"}`,
+    ), {
       ...(id === "grid" ? {} : { enabled: inCurve }),
       checked: (state) => state.settings.overlays[id],
     }),
   );
   const toolActions = tools.map(([id, label, key]) =>
-    action(`tool-${id}`, label, "Tools", [key], (target) => target.patch({ tool: id, hint: "" }), {
+    action(`tool-${id}`, label, "Tools", [key], aloud((target) => target.patch({ tool: id, hint: "" }), () => label), {
       enabled: (state) => state.mode === "curve" || (state.mode === "fit" && id !== "select"),
       checked: (state) => state.tool === id,
     }),

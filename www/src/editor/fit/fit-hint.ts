@@ -28,5 +28,5 @@ export function fitSummary(state: EditorState): string {
   const { fit, fitRun } = state;
   if (fitRun.outcome === null) return `${describeData(fit)}.`;
   const { counts, knots, max } = fitRun.outcome;
-  return `${describeData(fit)}, fitted with ${knots.length} knots: ${counts.linear} corners, ${counts.cubic} smooth, ${counts.coincident} both. No point is farther than ${max.toPrecision(2)} from the curve. Brackets step through the knots.`;
+  return `${describeData(fit)}, fitted with ${knots.length} ${knots.length === 1 ? "knot" : "knots"}: ${counts.linear} ${counts.linear === 1 ? "corner" : "corners"}, ${counts.cubic} smooth, ${counts.coincident} both. No point is farther than ${max.toPrecision(2)} from the curve. Brackets step through the knots.`;
 }

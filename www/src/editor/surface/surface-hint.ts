@@ -21,3 +21,10 @@ export function surfaceSummary({ surface }: EditorState): string {
   const places = finer === 0 ? "" : `, ${finer} refined ${finer === 1 ? "area" : "areas"}`;
   return `A surface with ${points} control points and ${surface.patches} patches${places}. Brackets step through the points, arrows move the selected one, Shift with 1, 2 or 3 shows the front, side or top.`;
 }
+
+export function surfaceChosen({ surface, chosen }: EditorState): string {
+  const [ref] = chosen;
+  if (chosen.length > 1) return `${chosen.length} points selected`;
+  const point = ref === undefined ? undefined : shownPoint(surface, ref);
+  return point === undefined ? "" : describeNet(point);
+}

@@ -35,5 +35,9 @@ export function traceSummary(state: EditorState): string {
   const holes = shown.holes.filter((hole) => hole).length;
   const left = shown.leftOut === undefined ? "" : ` ${leftOutText(shown.leftOut)}`;
   const error = max === null ? "" : ` No place is farther than ${max.toPrecision(2)} pixels from the edge in the picture.`;
-  return `${picture?.name ?? trace.kept?.name ?? "The picture"}: ${drawing.contours.length} outlines, ${holes} of them holes, ${pointCount(drawing)} points, ${cornersIn(drawing).length} corners.${error}${left} Brackets step through the points, C toggles a corner.`;
+  return `${picture?.name ?? trace.kept?.name ?? "The picture"}: ${counted(drawing.contours.length, "outline")}, ${holes} of them holes, ${counted(pointCount(drawing), "point")}, ${counted(cornersIn(drawing).length, "corner")}.${error}${left} Brackets step through the points, C toggles a corner.`;
+}
+
+function counted(count: number, what: string): string {
+  return `${count} ${what}${count === 1 ? "" : "s"}`;
 }

@@ -1,4 +1,4 @@
-import { zoomTo } from "../../editor/actions/standard-actions.ts";
+import { shownZoom, zoomTo } from "../../editor/actions/standard-actions.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { h } from "../controls/dom.ts";
 import { withKey } from "../shell.ts";
@@ -10,9 +10,7 @@ export function mountZoomBox(editor: Editor, box: HTMLElement, until: AbortSigna
     return h("button", { type: "button", testid: id, "aria-label": label, title: withKey(editor, label, id), click: () => editor.actions.run(id) }, sign);
   };
   const print = (): void => {
-    const { mode, view } = editor.state.value;
-    const now = (editor.modes.get(mode)?.view?.zoomNow ?? view.zoom) * 100;
-    const text = `${now < 1 ? Number(now.toPrecision(2)) : now < 1e6 ? Math.round(now) : now.toExponential(1).replace("+", "")} %`;
+    const text = shownZoom(editor);
     if (percent.value !== text) percent.value = text;
   };
   const percent = h("input", {
