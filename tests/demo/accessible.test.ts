@@ -340,6 +340,21 @@ test("at 320 px with text twice as large every entry of the menu and every butto
   }
 });
 
+for (const mode of ["curve", "fit", "trace", "surface"] as const) {
+  test(`in the panel of ${mode} Tab goes from row to row, as one reads`, async (t) => {
+    const demo = await open(t, `#/${mode}`);
+    const steps = await demo.page.evaluate(() => {
+      const all = [...document.querySelectorAll<HTMLElement>(".panel-scroll :is(button, input, select, summary)")].filter((each) => each.checkVisibility());
+      return all.slice(1).flatMap((each, i) => {
+        const [before, after] = [all[i], each].map((one) => one?.getBoundingClientRect() ?? new DOMRect());
+        const goesOn = before !== undefined && after !== undefined && (after.top >= before.bottom - 1 || (after.bottom > before.top && after.left > before.left));
+        return goesOn ? [] : [`${all[i]?.dataset["testid"]} to ${each.dataset["testid"]}`];
+      });
+    });
+    assert.deepEqual(steps, []);
+  });
+}
+
 test("letters on the canvas grow with the page's text", async (t) => {
   const demo = await open(t);
   await demo.page.evaluate(() => {

@@ -16,14 +16,15 @@ const overlays: readonly (readonly [OverlayId, string, string, string])[] = [
   ["subdivision", "ov-subdiv", "Subdivision", "The polygons of the subdivision scheme, step by step."],
   ["weights", "ov-weights", "Weights", "How strongly the selected point acts along the curve."],
   ["fill", "ov-fill", "Fill", "A light wash inside closed contours."],
-  ["bezier", "ov-bezier", "Compare with Bézier", "The best Bézier through the same points, dashed behind the curve."],
   ["grid", "ov-grid", "Grid", "A background grid (G)."],
+  ["bezier", "ov-bezier", "Compare with Bézier", "The best Bézier through the same points, dashed behind the curve."],
 ];
 
 /** What is drawn beside the curve. None of it changes the curve. */
 export function showSection(shell: Shell): Section {
   const { editor } = shell;
   const toggles = overlays.map(([id, testid, label, about]) => ({ id, field: toggleField({ label, testid, about, write: (on) => editor.setOverlay(id, on) }) }));
+  const elements = toggles.map(({ field }) => field.element);
   const snap = toggleField({
     label: "Snap",
     testid: "snap",
@@ -71,7 +72,7 @@ export function showSection(shell: Shell): Section {
     "section",
     { class: "section", "aria-label": "Show" },
     h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Show")),
-    h("div", { class: "toggles" }, ...toggles.map(({ field }) => field.element), snap.element),
+    h("div", { class: "toggles" }, ...elements.slice(0, -1), snap.element, ...elements.slice(-1)),
     comb.element,
     grid.element,
     subdivision.element,
