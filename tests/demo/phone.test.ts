@@ -365,3 +365,32 @@ test("fingers, which can drop and paste nothing, are asked to choose a picture",
   await beside.byId("empty-trace").waitFor();
   assert.match(await beside.textOf("empty-trace"), /Drop a picture, paste one.*Drop, paste or choose/su);
 });
+
+test("on a phone all that Export can save is in sight at once", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", phone);
+  await demo.byId("btn-menu").click();
+  await demo.byId("btn-export").click();
+  await demo.byId("export-dialog").waitFor();
+  await demo.still();
+  const hidden = await demo.page.locator(".dialog-foot").evaluate((foot) => {
+    const { top, bottom } = foot.getBoundingClientRect();
+    return [...foot.querySelectorAll("button, select")].filter((each) => {
+      const box = each.getBoundingClientRect();
+      return box.top < top || box.bottom > bottom;
+    }).map((each) => each.textContent);
+  });
+  assert.deepEqual(hidden, []);
+});
+
+test("boxes to tick begin where words do, on a phone as beside a mouse", async (t) => {
+  for (const options of [{}, phone]) {
+    const demo = await open(t, "#/curve?sample=heart", options);
+    if (options === phone) await demo.byId("sheet-up").click();
+    await demo.still();
+    const [box, words] = await Promise.all([demo.byId("closed").boundingBox(), demo.page.locator("label", { hasText: "Space" }).boundingBox()]);
+    assert.ok(box !== null && words !== null);
+    // The box is 16 px wide, in the middle of its target.
+    const from = box.x + box.width / 2 - 8;
+    assert.ok(Math.abs(from - words.x) <= 0.5, `${from} beside ${words.x}`);
+  }
+});

@@ -45,12 +45,12 @@ export function openExport(shell: Shell): void {
     button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path data (d)", click: () => copy(shell, result.d(), "the path") }),
     svgButton(shell, stem, curve, box, result.d, look),
     jsonButton(shell, stem),
-    png.element,
     button("TypeScript", {
       testid: "export-ts",
       title: "Copy TypeScript that makes this drawing",
       click: () => copy(shell, snippetFor("vanilla", curve, chosenOptions(curve)), "TypeScript"),
     }),
+    png.element,
   );
   refresh();
   dialog.body.scrollTop = 0;
