@@ -394,3 +394,26 @@ test("boxes to tick begin where words do, on a phone as beside a mouse", async (
     assert.ok(Math.abs(from - words.x) <= 0.5, `${from} beside ${words.x}`);
   }
 });
+
+test("a finger that draws with the pen is told how to go on, how to close and how to finish, and no longer once it has", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", phone);
+  await demo.byId("tool-pen").tap();
+  const first = /^Tap to place the first point/;
+  assert.match(await demo.textOf("hint"), first);
+  const places = [{ x: 60, y: 160 }, { x: 120, y: 130 }, { x: 150, y: 190 }];
+  for (const place of places) {
+    await demo.tap([place]);
+    await demo.page.waitForTimeout(450);
+    assert.match(await demo.textOf("hint"), /corner.*smooth.*closes.*finishes/);
+  }
+  const takeBack = (): Promise<void> => demo.byId("btn-undo").tap().then(() => demo.idle());
+  for (let i = 0; i < places.length; i += 1) await takeBack();
+  assert.match(await demo.textOf("hint"), first, "all of it was taken back");
+  await demo.byId("btn-redo").tap();
+  await demo.idle();
+  assert.match(await demo.textOf("hint"), /corner.*finishes/, "it goes on after all");
+  await demo.tap([{ x: 120, y: 130 }]);
+  await demo.page.waitForTimeout(450);
+  await demo.tap([{ x: 150, y: 190 }], 2);
+  assert.match(await demo.textOf("hint"), first, "it is finished");
+});

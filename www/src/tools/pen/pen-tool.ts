@@ -17,6 +17,9 @@ export function createPenTool(editor: Editor): Tool {
   return new Pen(editor);
 }
 
+/** A finger has no rubber band that would show it. */
+const onTheWay = "Tap for a corner, drag for a smooth point. The first point closes, a double tap finishes.";
+
 interface Press extends Pick<Placement, "ref" | "closing"> {
   readonly start: PointerSample;
 }
@@ -30,7 +33,11 @@ class Pen implements Tool {
   constructor(editor: Editor) {
     this.#editor = editor;
     editor.state.subscribe(({ curve }, { curve: before }) => {
-      if (curve !== before) this.#drawing = this.#following.find(this.#drawing, before.contours, curve.contours);
+      if (curve === before) return;
+      const was = this.#drawing;
+      this.#drawing = this.#following.find(was, before.contours, curve.contours);
+      if (this.#drawing === null) this.#quiet();
+      else if (was === null && editor.state.value.touch) editor.patch({ hint: onTheWay });
     });
   }
 
@@ -74,7 +81,7 @@ class Pen implements Tool {
     if (this.#press === null) return;
     const { closing } = this.#press;
     this.#press = null;
-    this.#editor.patch({ hint: "" });
+    this.#editor.patch({ hint: sample.kind === "touch" && !closing ? onTheWay : "" });
     this.#editor.commit();
     if (closing) {
       this.#leave();
@@ -107,7 +114,12 @@ class Pen implements Tool {
     else this.#editor.dispatch({ name: "Drop point", apply: (curve) => replaceContour(curve, at) });
   }
 
+  #quiet(): void {
+    if (this.#editor.state.value.hint === onTheWay) this.#editor.patch({ hint: "" });
+  }
+
   #leave(): void {
+    this.#quiet();
     this.#drawing = null;
     this.#following.forget();
   }
