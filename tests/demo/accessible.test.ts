@@ -236,6 +236,17 @@ for (const colorScheme of ["light", "dark"] as const) {
   });
 }
 
+test("what is chosen of a few stays within the round corners around them", async (t) => {
+  const demo = await open(t);
+  const poking = await demo.page.evaluate(() => [...document.querySelectorAll(".choices")].flatMap((choices) => {
+    const inner = parseFloat(getComputedStyle(choices).borderTopLeftRadius) - parseFloat(getComputedStyle(choices).borderTopWidth);
+    const [first, last] = [choices.firstElementChild, choices.lastElementChild].map((choice) => choice === null ? null : getComputedStyle(choice));
+    const radii = [first?.borderTopLeftRadius, first?.borderBottomLeftRadius, last?.borderTopRightRadius, last?.borderBottomRightRadius].map((radius) => parseFloat(radius ?? "0"));
+    return radii.every((radius) => radius >= inner) ? [] : [`${choices.textContent}: ${radii.join()} within ${inner}`];
+  }));
+  assert.deepEqual(poking, []);
+});
+
 test("the theme goes from the system's to light to dark and back, and stays for the next visit", async (t) => {
   const demo = await open(t, "", { colorScheme: "dark" });
   const ink = (): Promise<string> => demo.page.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue("--ink").trim());
