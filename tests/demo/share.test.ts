@@ -153,6 +153,33 @@ test("DM-001 where what keeps drawings never came, the last edit is there at the
   assertSame((await demo.state()).curve, curve);
 });
 
+for (const [what, part] of [["the last session", "kept"], ["a shared link", "share"]] as const) {
+  test(`DM-001 while ${what} is still on its way, nothing else is shown that could be worked on and would be lost`, async (t) => {
+    const demo = await open(t, "#/curve?sample=heart", { serviceWorkers: "block", permissions: ["clipboard-read", "clipboard-write"] });
+    await demo.focusStage();
+    await demo.press("]", "ArrowUp");
+    const curve = await demo.kept();
+    const address = part === "share" ? new URL(await demo.copied(() => demo.byId("btn-share").click())).hash : "";
+    await demo.page.goto("about:blank");
+    let release = (): void => undefined;
+    const held = new Promise<void>((resolve) => (release = resolve));
+    await demo.page.route(new RegExp(`/${part}-[^/]*\\.js`, "u"), async (route) => {
+      await held;
+      await route.continue();
+    });
+    await demo.page.goto(new URL(address, process.env["DEMO_URL"]).href);
+    await demo.page.locator(".boot-note").waitFor();
+    await demo.focusStage();
+    await demo.page.keyboard.press("]");
+    await demo.page.keyboard.press("ArrowRight");
+    assert.deepEqual((await demo.state()).curve.contours, []);
+    release();
+    await demo.page.evaluate(() => window.explineDemo.ready);
+    await demo.idle();
+    assertSame((await demo.state()).curve, curve);
+  });
+}
+
 test("DM-001 what was done just before a drag is kept when a reload interrupts the drag", async (t) => {
   const demo = await open(t, "#/curve?sample=heart");
   await demo.drag("pt-0-1", 40, 30);

@@ -74,13 +74,13 @@ function mount(): ExplineDemo {
       editor.patch({ engine: { status: "failed", ...failure } });
       return;
     }
+    const openSession = await panels.session;
     if (until.aborted) return;
     editor.patch({ engine: { status: "ready" } });
     openRoute(editor, parseRoute(location.hash) ?? { mode: "curve", sample: null });
     editor.setState(editor.getState(), { fresh: true });
     connectRoutes(editor, until);
-    await panels.openSession();
-    if (until.aborted) return;
+    openSession();
     const shared: ModeParts = { editor, frame, stage, surface, proxies: part("proxies"), panels, contract: parts, until };
     parts.settled = loadModes(editor, {
       fit: async () => (await import("./fit-mode.ts")).mountFitMode(shared),

@@ -5,7 +5,7 @@ import type { Frame } from "../editor/frame.ts";
 import { sayMissing, whenLoaded } from "../editor/loading.ts";
 import { mountEmptyCurve } from "./curve/empty-curve.ts";
 import { registerFileActions } from "./file-actions.ts";
-import { openSession } from "./files/session.ts";
+import { comingSession } from "./files/session.ts";
 import type { ModeMetrics } from "./mode/metric.ts";
 import type { ModePanel } from "./mode/panel-parts.ts";
 import type { PageIo } from "./page-io.ts";
@@ -31,9 +31,10 @@ export interface PanelsOptions {
 
 export interface Panels {
   /**
-   * Opens what the page was called with beside a route: a shared link, or the last session. Call once the engine runs.
+   * What the page was called with beside a route: a shared link, or the last session. Once it is there, and the engine
+   * runs, it can be opened.
    */
-  openSession(): Promise<void>;
+  readonly session: Promise<() => void>;
   /** Puts in the panel and the numbers of a mode that was loaded. */
   addMode(mode: Mode, parts: { readonly panel: ModePanel; readonly metrics: ModeMetrics }): void;
   readonly shell: Shell;
@@ -65,7 +66,7 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   return {
     shell,
     wait,
-    openSession: () => openSession(shell, address),
+    session: comingSession(shell, address),
     addMode(mode, parts) {
       host.put(mode, parts.panel);
       statusBar.put(mode, parts.metrics);

@@ -1,26 +1,35 @@
 import type { Mode } from "../../document/document.ts";
+import type { PageIo } from "../page-io.ts";
 import type { Shell } from "../shell.ts";
 import { openState, report } from "./report.ts";
 
-/** What comes back from outside the page: a link's drawing, or what this browser has kept. */
+/**
+ * What comes back from outside the page: a link's drawing, or what this browser has kept. First it is read, and what
+ * that gives puts it on the stage, so that nothing can happen there between.
+ */
 
-export async function openLink(shell: Shell, hash: string): Promise<void> {
+export async function linked(shell: Shell, hash: string): Promise<() => void> {
   try {
-    if (openState(shell, await shell.io.readShareHash(hash), true)) shell.io.rememberTab(hash);
+    const state = await shell.io.readShareHash(hash);
+    return () => {
+      if (openState(shell, state, true)) shell.io.rememberTab(hash);
+    };
   } catch (error) {
-    report(shell, error);
+    return () => report(shell, error);
   }
 }
 
 /** The newest work, that of this tab before all other; in the mode that the address names. */
-export async function restore(shell: Shell, own: string | null, mode: Mode | null): Promise<void> {
+export async function kept(shell: Shell, own: string | null, mode: Mode | null): Promise<(() => void) | undefined> {
+  const last = await shell.io.newestKept(own);
+  return last === null ? undefined : () => restore(shell, last, mode);
+}
+
+function restore(shell: Shell, { state, damaged }: NonNullable<Awaited<ReturnType<PageIo["newestKept"]>>>, mode: Mode | null): void {
   const { editor, io, toasts } = shell;
-  const last = await io.newestKept(own);
-  if (last === null) return;
   const fresh = editor.getState();
-  if (!openState(shell, { ...last.state, mode: mode ?? last.state.mode }, true)) return;
+  if (!openState(shell, { ...state, mode: mode ?? state.mode }, true)) return;
   toasts.say("Your last session was restored.", { label: "Start fresh", run: () => openState(shell, fresh, true) });
-  const { damaged } = last;
   if (damaged === undefined) return;
   const save = (): void => {
     io.download("damaged.txt", new Blob([damaged.text], { type: "text/plain" }));

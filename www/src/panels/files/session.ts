@@ -7,37 +7,41 @@ import { errorText } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
 
 /**
- * What the page opens with beside a route: a shared link, or the last session of this browser. Resolves when it is on
- * the stage, so that "ready" means ready.
+ * What the page opens with beside a route: a shared link, or the last session of this browser. It is on its way at
+ * once, so that nothing else is shown before it, and worked on; what comes back puts it on the stage.
  */
-export async function openSession(shell: Shell, address: string): Promise<void> {
+export async function comingSession(shell: Shell, address: string): Promise<() => void> {
   const { io, until } = shell;
-  window.addEventListener("hashchange", () => io.isShareLink(window.location.hash) && void openLink(shell, window.location.hash), { signal: until });
+  const openLink = (link: string): Promise<Opening> => reopen(shell, "The link", ({ linked }) => linked(shell, link));
+  window.addEventListener("hashchange", () => io.isShareLink(window.location.hash) && void openLink(window.location.hash).then((open) => open?.()), { signal: until });
   const route = parseRoute(address);
   // Who loads the page again, or comes back to it, wants what this tab showed; who follows a link to a sample wants the
   // sample.
   const [visit] = performance.getEntriesByType("navigation");
   const own = visit instanceof PerformanceNavigationTiming && visit.type !== "navigate" ? io.tabShows() : null;
   const link = [address, own ?? ""].find(io.isShareLink);
-  if (link !== undefined) await openLink(shell, link);
+  let open: Opening;
+  if (link !== undefined) open = await openLink(link);
   else if ((own !== null || route?.sample === null) && io.hasKept()) {
-    await reopen(shell, "Your last session", ({ restore }) => restore(shell, own, route !== null && /^#\/./u.test(address) ? route.mode : null));
+    open = await reopen(shell, "Your last session", ({ kept }) => kept(shell, own, route !== null && /^#\/./u.test(address) ? route.mode : null));
   }
-  if (own !== null && route !== null) follow(shell.editor, route);
-  startKeeping(shell);
+  return () => {
+    open?.();
+    if (own !== null && route !== null) follow(shell.editor, route);
+    startKeeping(shell);
+  };
 }
+
+type Opening = (() => void) | undefined;
 
 /** Without the part of the page that opens what it showed before the page is there all the same. */
-async function reopen({ editor }: Shell, what: string, work: (reopening: typeof import("./reopening.ts")) => Promise<void>): Promise<void> {
+async function reopen({ editor }: Shell, what: string, work: (reopening: typeof import("./reopening.ts")) => Promise<Opening>): Promise<Opening> {
   try {
-    await work(await import("./reopening.ts"));
+    return await work(await import("./reopening.ts"));
   } catch (error) {
     sayMissing(editor, what, error);
+    return undefined;
   }
-}
-
-function openLink(shell: Shell, link: string): Promise<void> {
-  return reopen(shell, "The link", (reopening) => reopening.openLink(shell, link));
 }
 
 function startKeeping(shell: Shell): void {
