@@ -446,3 +446,18 @@ test("a link to a sample shows the sample, whatever was kept, and a shared drawi
   await reload(other);
   assertSame((await other.state()).curve, curve);
 });
+
+test("a link that is opened over work is one step of the history: Undo has the work back", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8", { permissions: ["clipboard-read", "clipboard-write"] });
+  const link = await demo.copied(() => demo.byId("btn-share").click());
+  await demo.page.evaluate(() => (location.hash = "#/curve?sample=heart"));
+  await demo.idle();
+  await demo.focusStage();
+  await demo.press("]", "ArrowUp");
+  const { curve } = await demo.state();
+  await demo.page.evaluate((hash) => (location.hash = hash), new URL(link).hash);
+  await demo.until(() => demo.points(), (points) => points.length === 8, "the link is open");
+  await demo.byId("btn-undo").click();
+  await demo.idle();
+  assertSame((await demo.state()).curve, curve);
+});

@@ -8,11 +8,12 @@ import { openState, report } from "./report.ts";
  * that gives puts it on the stage, so that nothing can happen there between.
  */
 
-export async function linked(shell: Shell, hash: string): Promise<() => void> {
+/** With `fresh` a page begins with it; else it is a step that can be taken back, as what was there may be work. */
+export async function linked(shell: Shell, hash: string, fresh: boolean): Promise<() => void> {
   try {
     const state = await shell.io.readShareHash(hash);
     return () => {
-      if (openState(shell, state, true)) shell.io.rememberTab(hash);
+      if (openState(shell, state, fresh)) shell.io.rememberTab(hash);
     };
   } catch (error) {
     return () => report(shell, error);

@@ -12,8 +12,8 @@ import type { Shell } from "../shell.ts";
  */
 export async function comingSession(shell: Shell, address: string): Promise<() => void> {
   const { io, until } = shell;
-  const openLink = (link: string): Promise<Opening> => reopen(shell, "The link", ({ linked }) => linked(shell, link));
-  window.addEventListener("hashchange", () => io.isShareLink(window.location.hash) && void openLink(window.location.hash).then((open) => open?.()), { signal: until });
+  const openLink = (link: string, fresh: boolean): Promise<Opening> => reopen(shell, "The link", ({ linked }) => linked(shell, link, fresh));
+  window.addEventListener("hashchange", () => io.isShareLink(window.location.hash) && void openLink(window.location.hash, false).then((open) => open?.()), { signal: until });
   const route = parseRoute(address);
   // Who loads the page again, or comes back to it, wants what this tab showed; who follows a link to a sample wants the
   // sample.
@@ -21,7 +21,7 @@ export async function comingSession(shell: Shell, address: string): Promise<() =
   const own = visit instanceof PerformanceNavigationTiming && visit.type !== "navigate" ? io.tabShows() : null;
   const link = [address, own ?? ""].find(io.isShareLink);
   let open: Opening;
-  if (link !== undefined) open = await openLink(link);
+  if (link !== undefined) open = await openLink(link, true);
   else if ((own !== null || route?.sample === null) && io.hasKept()) {
     open = await reopen(shell, "Your last session", ({ kept }) => kept(shell, own, route !== null && /^#\/./u.test(address) ? route.mode : null));
   }
