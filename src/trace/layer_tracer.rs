@@ -1,6 +1,6 @@
 //! Pictures of a few flat colours: the shape of each layer, traced like ink.
 
-use super::options::{Source, TraceOptions};
+use super::options::{SPECKLE, Source, TraceOptions};
 use super::picture::blocks::Blocks;
 use super::picture::gray::Gray;
 use super::picture::layers::Layers;
@@ -37,6 +37,7 @@ pub struct LayerTracer {
     layers: Layers,
     options: TraceOptions,
     blocks: Option<Blocks>,
+    by_pixels: bool,
     order: Vec<u8>,
     visible: Vec<(usize, Color)>,
     found: Vec<TracedLayer>,
@@ -53,12 +54,15 @@ impl LayerTracer {
         let (order, visible) = drawn(&layers);
         let source = Source::Brightness;
         // Crumbs of mixtures are as small as dots, but between two there are none.
-        let speckle = if order.len() > 2 { Some(options.least()) } else { options.speckle };
+        let by_pixels = layers.is_by_pixels();
+        let least = if by_pixels && layers.is_small() { 0.0 } else { SPECKLE };
+        let speckle = options.speckle.or_else(|| (by_pixels || order.len() > 2).then_some(least));
         let options = TraceOptions { source, threshold: None, inverted: false, speckle, ..*options };
         Self {
             layers,
             options,
             blocks: None,
+            by_pixels,
             order,
             visible,
             found: Vec::new(),
@@ -118,7 +122,8 @@ impl LayerTracer {
         Ok(true)
     }
 
-    fn begin(&mut self, gray: Gray) -> Result<()> {
+    fn begin(&mut self, mut gray: Gray) -> Result<()> {
+        gray.by_pixels = self.by_pixels;
         let rest = self.options.most_contours.saturating_sub(self.count).max(1);
         let options = TraceOptions { most_contours: rest, ..self.options };
         self.phase = Some(Phase::Tracing(Box::new(Tracer::of_squares(gray, &options, self.blocks)?)));

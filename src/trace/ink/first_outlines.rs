@@ -48,7 +48,7 @@ impl InkWork {
             }));
         }
         self.between = false;
-        let aslant = is_sampled(&contour.points, &self.gray, tones.middle(), false);
+        let aslant = !self.gray.by_pixels && is_sampled(&contour.points, &self.gray, tones.middle(), false);
         Ok(Some(if aslant { Kind::Sampled } else { Kind::Stairs }))
     }
 

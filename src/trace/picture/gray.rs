@@ -27,6 +27,8 @@ pub struct Gray {
     light_on_nothing: bool,
     /// The squares that it is made of.
     blocks: Option<Blocks>,
+    /// Whether it was drawn pixel by pixel, which are squares then, too.
+    pub(in crate::trace) by_pixels: bool,
 }
 
 /// A picture that is being given row by row, so that nobody holds all of its colours at once.
@@ -140,7 +142,14 @@ impl Gray {
             let start = (margin + row) * width + margin;
             values[start..start + self.width].copy_from_slice(self.row(row));
         }
-        Ok(Self { width, height, values, light_on_nothing: self.light_on_nothing, blocks: None })
+        Ok(Self {
+            width,
+            height,
+            values,
+            light_on_nothing: self.light_on_nothing,
+            blocks: None,
+            by_pixels: false,
+        })
     }
 
     /// The squares that the picture was made of, which are its pixels from now on.
@@ -278,7 +287,14 @@ impl GrayRows {
             }
         }
         let blocks = self.scan.blocks_of(MOST_SHADES);
-        Ok(Gray { width: self.width, height: self.height, values: self.values, light_on_nothing, blocks })
+        Ok(Gray {
+            width: self.width,
+            height: self.height,
+            values: self.values,
+            light_on_nothing,
+            blocks,
+            by_pixels: false,
+        })
     }
 
     fn room(&self, bytes: usize, each: usize) -> Result<()> {

@@ -28,6 +28,16 @@ const NEARER: f64 = 8.0;
 const SHADE: f64 = 0.9;
 /// How much a colour counts that is farther away than what is seen of something thin.
 const AWAY: f64 = 0.02;
+/// Squared distance up to which a pixel is a colour of the palette,
+const EXACT: i32 = 16;
+/// and so many around one that are none are single ones that were drawn, not the mixtures of an edge.
+const OTHERS: usize = 2;
+/// In a picture that was drawn pixel by pixel one side in so many may be a mixture's,
+const MIXTURES: usize = 20;
+/// and one in so many at least is that of something one pixel wide.
+const SINGLE: usize = 5;
+/// In a picture of more pixels single ones may be dithering, and are too many to be contours each.
+const SMALL: usize = 64 * 64;
 /// Alike neighbours of a pixel that is not on an edge.
 const ALIKE: usize = 4;
 
@@ -43,6 +53,8 @@ struct Line {
     inner: Vec<bool>,
     /// Whether it shows that colour itself, and is not on an edge's way from one to another.
     steady: Vec<bool>,
+    /// Whether it is that colour but for roundings.
+    exact: Vec<bool>,
 }
 
 /// A picture of flat colours that is being given row by row.
@@ -117,6 +129,29 @@ impl Layers {
         }
         order
     }
+
+    /// Whether its pixels are so few that single ones may be contours each.
+    pub(in crate::trace) fn is_small(&self) -> bool {
+        self.first.len() <= SMALL
+    }
+
+    /// Whether the picture was drawn pixel by pixel, as sprites are: without mixtures, and many of the sides between
+    /// colours are those of something one pixel wide.
+    pub(in crate::trace) fn is_by_pixels(&self) -> bool {
+        let (width, count) = (self.width, self.first.len());
+        let differ = |at: usize, step: usize| self.first[at] != self.first[at + step];
+        let (mut mixed, mut sides, mut single) = (0, 0, 0);
+        for at in 0..count {
+            mixed += usize::from(self.share[at] > 0);
+            for (step, fits) in [(1, at % width + 2 < width), (width, at + 2 * width < count)] {
+                if fits && differ(at, step) {
+                    sides += 1;
+                    single += usize::from(differ(at + step, step));
+                }
+            }
+        }
+        MIXTURES * mixed <= sides && SINGLE * single >= sides
+    }
 }
 
 impl LayerRows {
@@ -166,6 +201,7 @@ impl LayerRows {
         let mut line = core::mem::take(&mut self.window[self.given % KEPT]);
         line.pixels.clear();
         line.labels.clear();
+        line.exact.clear();
         let above = &self.window[(self.given + KEPT - 1) % KEPT].pixels;
         let mut known = ([-1; 4], NONE, 0);
         for (column, &pixel) in row.as_chunks::<4>().0.iter().enumerate() {
@@ -179,6 +215,7 @@ impl LayerRows {
             let label = if known.2 <= NEAR || is_plain() { known.1 } else { NONE };
             line.pixels.push(pixel);
             line.labels.push(label);
+            line.exact.push(known.2 <= EXACT);
         }
         for list in [&mut line.flat, &mut line.inner, &mut line.steady] {
             list.clear();
@@ -250,8 +287,11 @@ impl LayerRows {
         for column in 0..self.layers.width {
             let line = &self.window[row % KEPT];
             let label = line.labels[column];
-            let (first, second, share) =
-                if line.inner[column] { (label, label, 0.0) } else { self.mixture(row, column) };
+            let (first, second, share) = if line.inner[column] || self.is_crisp(row, column) {
+                (label, label, 0.0)
+            } else {
+                self.mixture(row, column)
+            };
             let (first, second, share) =
                 if share > 0.5 { (second, first, 1.0 - share) } else { (first, second, share) };
             self.layers.areas[usize::from(first)] += 1;
@@ -259,6 +299,16 @@ impl LayerRows {
             self.layers.second.push(second);
             self.layers.share.push((255.0 * share + 0.5) as u8);
         }
+    }
+
+    /// Whether all pixels around one have colours of the palette, and it has: there are no mixtures then.
+    fn is_crisp(&self, row: usize, column: usize) -> bool {
+        let columns = column.saturating_sub(REACH)..=(column + REACH).min(self.layers.width - 1);
+        let mut others = 0;
+        for row in self.around(row, REACH) {
+            others += self.window[row % KEPT].exact[columns.clone()].iter().filter(|&&exact| !exact).count();
+        }
+        others <= OTHERS && self.window[row % KEPT].exact[column]
     }
 
     /// The two colours of an edge's pixel and the share of the second.
