@@ -125,6 +125,29 @@ fn two_or_three_points_are_a_fit_too() {
 }
 
 #[test]
+fn curves_that_end_beside_their_first_points_are_cut_off_there_with_their_knots() {
+    // Of points so unlike in size that the curve runs on beyond their feet. Where no piece was asked to be straight, the
+    // pieces that were cut off were looked for in a list of none.
+    let tiny_and_large = [
+        [(-0.007, 0.008), (-0.8, 0.0), (0.01, 0.06), (-0.06, 0.02), (700.0, 800.0), (-0.008, -0.007)]
+            .as_slice(),
+        [(600.0, -100.0), (-0.8, -0.4), (200.0, -200.0)].as_slice(),
+    ]
+    .concat();
+    let points: Vec<Point> = tiny_and_large.into_iter().map(|(x, y)| Point::new(x, y)).collect();
+    for most in 0..=20 {
+        let options = Options {
+            degrees: vec![5],
+            closed: Some(false),
+            most_iterations: Some(most),
+            ..Options::default()
+        };
+        let fitted = fit(&points, Ask::Tolerance(0.01), &options).expect("it can be fitted");
+        assert!(finite(&fitted), "after {most} iterations");
+    }
+}
+
+#[test]
 fn what_is_wrong_with_the_points_is_named() {
     let code = |points: &[Point], options: &Options| match unboxed(Fitter::new(points, options)) {
         Ok(_) => "",

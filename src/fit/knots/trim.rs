@@ -41,7 +41,7 @@ impl Spline {
 fn between(breaks: &Breaks, from: f64, to: f64, shortest: f64) -> Breaks {
     let start = breaks.at.partition_point(|&t| t < from + shortest);
     let end = breaks.at.partition_point(|&t| t <= to - shortest).max(start);
-    let pieces = if breaks.straight.is_empty() { start..start } else { start..end + 1 };
+    let pieces = if breaks.straight.is_empty() { 0..0 } else { start..end + 1 };
     Breaks {
         at: breaks.at[start..end].iter().map(|t| t - from).collect(),
         multiplicity: breaks.multiplicity[start..end].to_vec(),
