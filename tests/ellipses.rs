@@ -166,6 +166,35 @@ fn an_ellipse_is_recognised_with_its_axes() {
 }
 
 #[test]
+fn the_thinnest_ellipse_is_recognised_wherever_it_lies_and_begins_where_its_curve_does() {
+    // Distances were measured along the longer axis, where roundings of a thin ellipse are long.
+    for ratio in [1.0, 1e-3, 1e-6] {
+        for far in [0.0, 10.0, 1e4] {
+            for count in [2, 5, 40] {
+                let (center, radii) = (Point::new(far, -0.6 * far), Point::new(3.0, 3.0 * ratio));
+                let whole = HermiteCurve::ellipse(center, radii, 0.7, count).expect("valid ellipse");
+                let end = whole.domain().1;
+                let part = whole.trim(0.1 * end, 0.7 * end).expect("most of it");
+                for curve in [whole.reversed(), part.reversed(), part, whole] {
+                    let found = curve.as_ellipse(1e-9);
+                    assert!(found.is_some(), "{ratio}, {far}, {count}: none");
+                    let found = found.expect("it is an ellipse");
+                    for k in 0..=8 {
+                        let (start, end) = curve.domain();
+                        let place =
+                            curve.evaluate(start + (end - start) * f64::from(k) / 8.0, 0).expect("on it");
+                        let off =
+                            (found.point(found.start + found.sweep * f64::from(k) / 8.0) - place).norm();
+                        // Of short arcs the centre is known to a thousand roundings of the coordinates.
+                        assert!(off <= 3e-13 * (far + 3.0), "{ratio}, {far}, {count}, {k}: {off:e}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn a_circle_is_recognised_without_rotation() {
     for rotation in [0.0, 0.7, 2.0] {
         let circle =

@@ -34,6 +34,20 @@ impl EllipseArc {
         let (sin, cos) = sin_cos(angle);
         self.center + turned(Vector::new(self.radii.x * cos, self.radii.y * sin), self.rotation)
     }
+
+    /// A bound of how far a point is from the whole ellipse.
+    ///
+    /// Straight to the centre, or along the shorter axis, whichever is less: of a thin ellipse roundings of the
+    /// coordinates are long ways to the centre, of a round one next to its ends long ways along an axis.
+    #[inline(never)]
+    fn beside(&self, point: Point) -> f64 {
+        // As it lies where the ellipse is the unit circle.
+        let local = turned(point - self.center, -self.rotation).component_div(&self.radii);
+        let x = local.x.clamp(-1.0, 1.0);
+        let across = local - Vector::new(x, (1.0 - x * x).sqrt().copysign(local.y));
+        let inwards = (local.norm() - 1.0).abs() * self.radii.x;
+        across.component_mul(&self.radii).norm().min(inwards)
+    }
 }
 
 fn turned(v: Vector, angle: f64) -> Vector {
@@ -116,16 +130,6 @@ impl Middle {
         let p = -second / square;
         Self { center: segment.start + middle(0) - p, p, q: first / w, deviation }
     }
-
-    /// How far the point at x of a segment is from the ellipse, where that is the unit circle.
-    #[inline(never)]
-    fn apart(&self, segment: &Segment, x: f64) -> f64 {
-        let Self { p, q, .. } = self;
-        let from_center = segment.position(x) - self.center;
-        // Its (cos, sin) in terms of p and q.
-        let unit = Vector::new(from_center.perp(q), p.perp(&from_center)) / p.perp(q);
-        (unit.norm() - 1.0).abs()
-    }
 }
 
 /// The arc center + p·cos θ + q·sin θ, θ from −w/2 to w/2, by its axes (D 7.5).
@@ -149,19 +153,23 @@ fn arc_about(center: Point, p: Vector, q: Vector, w: f64) -> Option<EllipseArc> 
         let half_turn = if rotation > 0.0 { PI } else { -PI };
         (start, rotation) = (start + half_turn, rotation - half_turn);
     }
-    let start = if start > PI {
-        start - TAU
-    } else if start <= -PI {
-        start + TAU
+    Some(EllipseArc { center, radii, rotation, start: centred(start), sweep: sense * w })
+}
+
+/// An angle between −3π and 3π without the turn that leads out of (−π, π].
+#[inline(never)]
+fn centred(angle: f64) -> f64 {
+    if angle > PI {
+        angle - TAU
+    } else if angle <= -PI {
+        angle + TAU
     } else {
-        start
-    };
-    Some(EllipseArc { center, radii, rotation, start, sweep: sense * w })
+        angle
+    }
 }
 
 impl HermiteCurve {
-    /// The one ellipse, or arc of it, that the whole curve is, if it deviates by no more than `tolerance`, measured
-    /// along the longer axis.
+    /// The one ellipse, or arc of it, that the whole curve is, if it deviates by no more than `tolerance`.
     ///
     /// A closed curve must run round exactly once, and every segment be an arc: lines, cubics and hyperbolic segments
     /// are none, however near an ellipse they run. Cost: O(M).
@@ -169,20 +177,21 @@ impl HermiteCurve {
         // The longest arc knows its ellipse best.
         let (mut longest, mut most) = (0, 0.0);
         for (i, segment) in self.segments().enumerate() {
-            if segment.basis.frequency() >= most {
+            if segment.basis.frequency() > most {
                 (longest, most) = (i, segment.basis.frequency());
             }
         }
-        let longest = self.nth_segment(longest);
-        let ellipse = longest.as_ellipse_arc(tolerance)?;
-        let middle = Middle::new(&longest, most);
-        let mut sweep = 0.0;
-        for segment in self.segments() {
+        let ellipse = self.nth_segment(longest).as_ellipse_arc(tolerance)?;
+        let (mut start, mut sweep) = (0.0, 0.0);
+        for (i, segment) in self.segments().enumerate() {
             let arc = segment.as_ellipse_arc(tolerance)?;
+            if i == longest {
+                start = centred(ellipse.start - sweep);
+            }
             sweep += arc.sweep;
             let mut within = arc.sweep * ellipse.sweep > 0.0;
             for x in [0.0, 0.25, 0.5, 0.75, 1.0] {
-                within &= middle.apart(&segment, x) * ellipse.radii.x <= tolerance;
+                within &= ellipse.beside(segment.position(x)) <= tolerance;
             }
             if !within {
                 return None;
@@ -192,9 +201,7 @@ impl HermiteCurve {
         if self.is_closed() && (turns - 1.0).abs() > 1e-9 || turns > 1.0 + 1e-9 {
             return None;
         }
-        // Where point 0 lies, in the ellipse's own frame.
-        let local = turned(self.points()[0] - middle.center, -ellipse.rotation).component_div(&ellipse.radii);
         let sweep = if self.is_closed() { TAU.copysign(sweep) } else { sweep };
-        Some(EllipseArc { start: libm::atan2(local.y, local.x), sweep, ..ellipse })
+        Some(EllipseArc { start, sweep, ..ellipse })
     }
 }
