@@ -5,8 +5,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 mod support;
 
 use core::f64::consts::PI;
-use expline::curve::Side;
-use expline::{HermiteCurve, HermiteOptions, Space};
+use expline::curve::{NearestFinder, Side};
+use expline::{Curve, HermiteCurve, HermiteOptions, Space};
 use nalgebra::Vector2;
 use support::curves::Random;
 
@@ -225,6 +225,55 @@ fn an_inserted_point_goes_without_a_trace_also_beside_a_sharp_bend_and_far_from_
         let deviation = gone_again(ends.map(|end| end + Point::new(far, 0.0)), tangents, 0.895, 0.0);
         // A few roundings of the coordinates.
         assert!(deviation <= 1e-15 * (far + 10.0) * 4.0, "{far}: {deviation:e}");
+    }
+}
+
+#[test]
+fn an_inserted_point_goes_without_a_trace_between_points_with_hardly_any_handles_far_from_the_origin() {
+    // Roundings of the coordinates were taken for a change of the curve, and what was measured then was how badly the
+    // foot of a perpendicular is found where a curve hardly moves: up to 2e-4 of the size.
+    let mut random = Random::new(50);
+    for case in 0..200 {
+        let far = random.vector(1e5);
+        let ends = [random.vector(10.0) + far, random.vector(10.0) + far];
+        let tangents = [random.vector(0.1), random.vector(0.1)];
+        let deviation = gone_again(ends, tangents, random.unit(), 0.0);
+        assert!(deviation <= 1e-15 * 1e5 * 4.0, "case {case}: {deviation:e}");
+    }
+}
+
+/// The largest distance of many places on one curve from the other one.
+fn farthest(from: &HermiteCurve, to: &HermiteCurve) -> f64 {
+    let finder = NearestFinder::new(to);
+    sampled(from, 1000).iter().map(|&place| finder.nearest(place).distance).fold(0.0, f64::max)
+}
+
+#[test]
+fn what_a_removal_moves_is_no_less_than_it_is_where_it_is_farthest_between_two_places() {
+    // Only from places that were farther than all before them was there a look uphill: of two hills the second one may
+    // be higher, and its places lower.
+    let mut random = Random::new(51);
+    for case in 0..300 {
+        let mut vectors = || (0..3).map(|_| random.vector(10.0)).collect::<Vec<Point>>();
+        let (points, tangents, tangents_in) = (vectors(), vectors(), vectors());
+        let lengths: Vec<f64> = (0..2).map(|_| libm::pow(10.0, 0.7 * random.symmetric())).collect();
+        let omega: Vec<f64> = lengths.iter().map(|length| 3.0 * random.unit() / length).collect();
+        let space = [Space::Polynomial, Space::Trigonometric, Space::Hyperbolic][case % 3];
+        let options = HermiteOptions {
+            points,
+            tangents,
+            tangents_in,
+            lengths,
+            omega,
+            closed: false,
+            space: Some(space),
+        };
+        let old = HermiteCurve::new(options).expect("in range");
+        let (new, deviation) = old.remove(1).expect("three points");
+        let apart = farthest(&old, &new).max(farthest(&new, &old));
+        // Uphill it is looked to a millionth of a segment.
+        let way = old.length(0.1).expect("in range");
+        assert!(apart <= deviation + 1e-5 * way, "case {case}: {deviation} instead of {apart} of {way}");
     }
 }
 

@@ -27,25 +27,32 @@ pub(super) fn two_way_deviation(first: &[Segment], second: &[Segment], most: f64
 /// is not either.
 #[inline(never)]
 pub(super) fn deviation_of(from: &[Segment], to: &[Segment], most: f64) -> f64 {
-    let mut largest = 0.0_f64;
-    let lattice = places(to);
-    let lattice = &lattice[..to.len() * PLACES];
-    for k in 0..from.len() * PLACES {
-        let (segment, mut next) = (&from[k / PLACES], place(k));
-        // Uphill from a place that is the farthest so far, and back by shorter steps: a long handle goes far between
-        // places.
-        let (mut x, mut step) = (f64::NAN, 1.0 / PLACES as f64);
-        while step.abs() > CLOSE && largest < most {
-            let there = distance(segment.position(next), lattice, to);
-            if there > largest {
-                (x, largest) = (next, there);
-            } else if x.is_nan() {
-                break;
-            } else {
-                step *= -0.6;
+    let (ways, lattice) = (places(from), places(to));
+    let (ways, lattice) = (&ways[..from.len() * PLACES], &lattice[..to.len() * PLACES]);
+    let (mut before, mut here, mut largest) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for next in 0..=ways.len() {
+        let after = ways.get(next).map_or(0.0, |&way| distance(way, lattice, to));
+        // Uphill from every place that is farther than those beside it, and back by shorter steps: a long handle goes
+        // far between places. A joint is two places, of which one leads up on each side.
+        let mut top = here;
+        if next > 0 && ALIKE * here >= before.max(after) {
+            let k = next - 1;
+            let (mut x, mut step) = (place(k), 1.0 / PLACES as f64);
+            while step.abs() > CLOSE {
+                let trial = (x + step).clamp(0.0, 1.0);
+                let there = distance(from[k / PLACES].position(trial), lattice, to);
+                if there > top {
+                    (x, top) = (trial, there);
+                } else {
+                    step *= -0.6;
+                }
             }
-            next = (x + step).clamp(0.0, 1.0);
         }
+        largest = largest.max(top);
+        if largest >= most {
+            break;
+        }
+        (before, here) = (here, after);
     }
     largest
 }

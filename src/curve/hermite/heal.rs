@@ -102,6 +102,8 @@ impl Healed {
             basis: &basis,
         };
         let size = (first.end - first.start).norm() + (second.end - second.start).norm();
+        // Far from the origin places round by more than that.
+        let rounding = 4.0 * f64::EPSILON * (first.start.norm() + second.end.norm());
         let places = places(old, first.length / (first.length + second.length * ratio));
         // Where the parameters agree there is nothing to look for; it also bounds the distance from above.
         let mut deviation = 0.0_f64;
@@ -110,7 +112,7 @@ impl Healed {
         }
         let Segment { leaving, arriving, .. } = merged;
         let mut healed = Self { omega, leaving, arriving, deviation };
-        if deviation > 1e-13 * size {
+        if deviation > 1e-13 * size + rounding {
             healed.deviation = f64::INFINITY;
             let mut best = Best { old, most: turning(&[&way(first), &way(second)]) + MORE_TURNING, healed };
             speeds::nearest(&merged, &places, &mut best);
