@@ -12,7 +12,8 @@ pub type Result<T> = core::result::Result<T, Box<Error>>;
 
 /// What was wrong with a call, with the offending value and the limit.
 ///
-/// [`Error::code`] is the stable string of the kind; JavaScript sees it as `ExplineError.code`.
+/// [`Error::code`] is the stable string of the kind; JavaScript sees it as `ExplineError.code`. Arguments and limits of
+/// two words are written as there: `tangentsIn` for `tangents_in`, `maxPoints`.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {

@@ -23,7 +23,7 @@ pub struct Metrics {
     pub jaccard: f64,
 }
 
-/// The root of the mean square of some residuals; 0 for none.
+/// The root of the mean square of some residuals; 0 for none, ∞ where their squares are beyond what doubles hold.
 pub fn root_mean_square(residuals: impl Iterator<Item = f64>) -> f64 {
     let (sum, count) = residuals.fold((0.0, 0_usize), |(sum, count), r| (sum + r * r, count + 1));
     (sum / count.max(1) as f64).sqrt()

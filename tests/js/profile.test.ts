@@ -93,4 +93,8 @@ test("what makes no sense is refused", () => {
   assert.throws(() => fitProfile(cloud, { corner: 0 }), { code: "E_RANGE", arg: "corner" });
   assert.throws(() => fitProfile(cloud, { corner: 0.01 }), { code: "E_RANGE", arg: "corner" });
   assert.throws(() => metrics.rmse([0, Infinity]), { code: "E_NOT_FINITE", index: 1 });
+  // Their squares, and a million of them, would have no sum.
+  assert.throws(() => metrics.rmse([0, 1e308]), { code: "E_RANGE", argument: "residuals[1]" });
+  assert.throws(() => metrics.mae([-1.5e308, 1.5e308]), { code: "E_RANGE", argument: "residuals[0]" });
+  assert.ok(Math.abs(metrics.rmse([1e150, -1e150]) / 1e150 - 1) < 1e-15);
 });

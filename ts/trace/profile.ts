@@ -135,7 +135,8 @@ function readProfile(output: Float64Array): ProfileFit {
 
 function residual(op: string, residuals: unknown, which: 0 | 1): number {
   const given = numbers(op, "residuals", residuals, "maxPoints", MAX_POINTS);
-  given.forEach((value, i) => finite(op, "residuals", value, i));
+  // The squares of a million have a sum.
+  given.forEach((value, i) => inRange(op, "residuals", value, -1e150, 1e150, i));
   write(op, given);
   call(op, (kernel) => kernel.residuals(given.length));
   return result(which);
@@ -151,7 +152,11 @@ function comparison(op: string, from: unknown, to: unknown, which: 0 | 1 | 2): n
 
 /** The metrics of the paper. */
 export const metrics = {
-  /** Root of the mean square; 0 where there is nothing. */
+  /**
+   * Root of the mean square; 0 where there is nothing.
+   *
+   * @throws {ExplineError} E_RANGE of `residuals` beyond ±1e150, whose squares would have no sum; likewise `mae`.
+   */
   rmse: (residuals: Float64Array | readonly number[]): number => residual("rmse", residuals, 0),
   /** Mean of the absolute values; 0 where there is nothing. */
   mae: (residuals: Float64Array | readonly number[]): number => residual("mae", residuals, 1),
