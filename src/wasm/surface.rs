@@ -144,9 +144,7 @@ pub fn surface_mesh(
     col_count: u32,
 ) -> i32 {
     with(slot, &mut |surface, kernel| {
-        let (grid, region) = part([rows, cols], [row, row_count], [col, col_count]);
-        grid.check()?;
-        let vertices = times(row_count, col_count as usize);
+        let (grid, region, vertices) = part([rows, cols], [row, row_count], [col, col_count])?;
         grow(&mut kernel.output, 6 * vertices, 0.0)?;
         let (positions, normals) = kernel.output[..6 * vertices].split_at_mut(3 * vertices);
         let without = surface.mesh_into(grid, &region, positions, normals)?;
@@ -167,20 +165,20 @@ pub fn surface_mesh_curvature(
     col_count: u32,
 ) -> i32 {
     with(slot, &mut |surface, kernel| {
-        let (grid, region) = part([rows, cols], [row, row_count], [col, col_count]);
-        grid.check()?;
-        let vertices = times(row_count, col_count as usize);
+        let (grid, region, vertices) = part([rows, cols], [row, row_count], [col, col_count])?;
         grow(&mut kernel.output, 2 * vertices, 0.0)?;
         surface.mesh_curvatures_into(grid, &region, &mut kernel.output[..2 * vertices])?;
         Ok(2 * vertices)
     })
 }
 
-/// A grid, and a region of it from a first row and a first column on.
-fn part(grid: [u32; 2], rows: [u32; 2], cols: [u32; 2]) -> (Grid, Region) {
+/// A grid that may be, a region of it from a first row and a first column on, and how many vertices that has.
+fn part(grid: [u32; 2], rows: [u32; 2], cols: [u32; 2]) -> Result<(Grid, Region, usize)> {
     let [all_rows, all_cols] = grid.map(|count| count as usize);
     let range = |[first, count]: [u32; 2]| first as usize..first as usize + count as usize;
-    (Grid { rows: all_rows, cols: all_cols }, Region { rows: range(rows), cols: range(cols) })
+    let grid = Grid { rows: all_rows, cols: all_cols };
+    grid.check()?;
+    Ok((grid, Region { rows: range(rows), cols: range(cols) }, times(rows[1], cols[1] as usize)))
 }
 
 /// The vertex numbers of a mesh's triangles, two in the place of each number. Returns how many places; the count is in
