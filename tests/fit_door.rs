@@ -126,8 +126,8 @@ fn two_or_three_points_are_a_fit_too() {
 
 #[test]
 fn curves_that_end_beside_their_first_points_are_cut_off_there_with_their_knots() {
-    // Of points so unlike in size that the curve runs on beyond their feet. Where no piece was asked to be straight, the
-    // pieces that were cut off were looked for in a list of none.
+    // Of points so unlike in size that the curve runs on beyond their feet. Where no piece was asked to be straight,
+    // the pieces that were cut off were looked for in a list of none.
     let tiny_and_large = [
         [(-0.007, 0.008), (-0.8, 0.0), (0.01, 0.06), (-0.06, 0.02), (700.0, 800.0), (-0.008, -0.007)]
             .as_slice(),

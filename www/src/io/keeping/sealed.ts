@@ -11,7 +11,9 @@ export interface Sealed extends Unsealed {
   readonly json: string;
 }
 
-/** What `seal` makes, of a text in pieces: `rest` is waited for between two of them, as often as it likes to be asked. */
+/**
+ * What `seal` makes, of a text in pieces: `rest` is waited for between two of them, as often as it likes to be asked.
+ */
 export async function sealPieces(what: Unsealed, pieces: Iterable<string>, rest: () => Promise<void> | null): Promise<KeptText> {
   const parts = [headOf(what)];
   let hash = hashed(headOf(what));
