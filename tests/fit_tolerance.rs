@@ -402,3 +402,36 @@ fn a_rough_way_takes_half_of_the_pieces_that_lines_take() {
         }
     }
 }
+
+/// Points evenly far apart along a cubic from (0, 0) to (200, 0).
+fn along_a_cubic(count: usize, random: &mut Random) -> Vec<Point> {
+    let [a, b] = [50.0, 150.0].map(|x| Point::new(x, 0.0) + random.vector(50.0));
+    let at = |t: f64| {
+        let u = 1.0 - t;
+        (a * u + b * t) * (3.0 * u * t) + Point::new(200.0, 0.0) * (t * t * t)
+    };
+    let fine: Vec<Point> = (0..=20_000).map(|i| at(f64::from(i) / 20_000.0)).collect();
+    let mut lengths = vec![0.0];
+    lengths.extend(fine.windows(2).scan(0.0, |sum, pair| {
+        *sum += (pair[1] - pair[0]).norm();
+        Some(*sum)
+    }));
+    let step = lengths[20_000] / (count - 1) as f64;
+    (0..count).map(|i| fine[lengths.partition_point(|&l| l < step * i as f64).min(20_000)]).collect()
+}
+
+/// The speed of a cubic changes by up to forty times, and points by length do not show it. Between two of the fine
+/// points lies less than .02, and the curve turns by less than 1e-6 of that.
+#[test]
+fn a_line_that_is_one_cubic_comes_back_as_one_however_its_points_are_spread() {
+    let mut random = Random::new(50);
+    for case in 0..60 {
+        let points = along_a_cubic([40, 120, 900][case % 3], &mut random);
+        for tolerance in [0.1, 0.5] {
+            let options = Options { closed: Some(false), ..Options::default() };
+            let fitted = fit(&points, Ask::Tolerance(tolerance), &options).expect("fitted");
+            assert_eq!(fitted.knots.len(), 0, "case {case}, tolerance {tolerance}");
+            assert!(fitted.max_error < 0.05, "case {case}: {} off at {tolerance}", fitted.max_error);
+        }
+    }
+}

@@ -129,6 +129,12 @@ impl Fitter {
             self.run = Run::Search(vec![search]);
             return Ok(());
         }
+        if self.own.is_empty()
+            && let Some(search) = Sparsest::of_one_piece(self.located.copied()?, plan(1), aim, self.level)?
+        {
+            self.run = Run::Search(vec![search]);
+            return Ok(());
+        }
         let start = |located: &Located, smoothest| -> Result<Sparsest> {
             Ok(Sparsest::new(located.copied()?, plan(smoothest), aim, self.level))
         };

@@ -6,6 +6,7 @@ mod following;
 mod growing;
 mod joints;
 mod last_knots;
+mod lone;
 mod polishing;
 mod resort;
 mod rounding;

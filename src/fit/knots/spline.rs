@@ -10,8 +10,25 @@ use crate::numerics::{Point, Vector};
 
 /// How much less a distance along the curve counts than one across it.
 const ALONG: f64 = 0.05;
+/// Points slide that much more easily than they leave the curve, and at its ends, too.
+const SLIDE: Slide = Slide { along: ALONG, over_ends: true };
 /// How much more moving a coefficient costs that is held than what points say.
 const HELD: f64 = 1e8;
+/// How distances along the curve count after a step that brought the points nearer, and after one that did not.
+const FREER: f64 = 0.3;
+const STIFFER: f64 = 10.0;
+/// A step that leaves more than this of the squares gained little; where those along count less than this, the last.
+const MOST_LEFT: f64 = 0.9;
+const FREE: f64 = 1e-4;
+
+/// How points slide along a curve while it is moved.
+#[derive(Clone, Copy, Debug)]
+struct Slide {
+    /// How much less a distance along it counts than one across it.
+    along: f64,
+    /// Whether points beyond an end of it slide as well, though its end is their foot.
+    over_ends: bool,
+}
 
 /// A spline: a space and coefficients.
 #[derive(Clone, Debug)]
@@ -107,15 +124,46 @@ impl Spline {
         self.tighten_held(data, &[]);
     }
 
+    /// Steps to the least sum of squares of the distances, with points that slide the more freely the better that works
+    /// (Levenberg's and Marquardt's way): until all are near enough, or a step gains little.
+    #[inline(never)]
+    pub(super) fn ease(&mut self, data: &mut Located, steps: usize, enough: f64) -> Distances {
+        let (mut distances, mut along) = (self.project(data, 2), ALONG);
+        for _ in 0..steps {
+            if distances.largest <= enough {
+                break;
+            }
+            let mut trial = self.clone();
+            trial.step_across(data, &[], &[], Slide { along, over_ends: false });
+            let mut feet = data.parameters.clone();
+            let eased = trial.feet(data, &mut feet, 2);
+            if eased.squares < distances.squares {
+                let gained = eased.squares <= MOST_LEFT * distances.squares;
+                (*self, distances) = (trial, eased);
+                data.parameters = feet;
+                if !gained && along < FREE {
+                    break;
+                }
+                along *= FREER;
+            } else {
+                along *= STIFFER;
+            }
+            if along > 1.0 {
+                break;
+            }
+        }
+        distances
+    }
+
     /// The same, with places of the curve that are pulled back and count as points do (D 13.16).
     pub(super) fn tighten_held(&mut self, data: &Located, pulls: &[Pull]) {
-        self.step_across(data, pulls, &[]);
+        self.step_across(data, pulls, &[], SLIDE);
     }
 
     /// The same as [`Spline::tighten`], with some coefficients where they are told to be.
     pub(super) fn tighten_between(&mut self, data: &Located, held: &[(usize, [f64; 2])]) {
         self.put(held);
-        self.step_across(data, &[], held);
+        self.step_across(data, &[], held, SLIDE);
         self.put(held);
     }
 
@@ -126,13 +174,13 @@ impl Spline {
     }
 
     #[inline(never)]
-    fn step_across(&mut self, data: &Located, pulls: &[Pull], held: &[(usize, [f64; 2])]) {
+    fn step_across(&mut self, data: &Located, pulls: &[Pull], held: &[(usize, [f64; 2])], slide: Slide) {
         let degree = self.space.breaks.degree;
         // Loops of a length that is known are unrolled.
         let sums = if degree < 4 {
-            self.across::<4>(data, pulls)
+            self.across::<4>(data, pulls, slide)
         } else {
-            self.across::<{ HIGHEST + 1 }>(data, pulls)
+            self.across::<{ HIGHEST + 1 }>(data, pulls, slide)
         };
         let n = self.space.count;
         let mut equations = self.doubled();
@@ -205,7 +253,7 @@ impl Spline {
         Envelope::new(first)
     }
 
-    fn across<const T: usize>(&self, data: &Located, pulls: &[Pull]) -> Vec<Across> {
+    fn across<const T: usize>(&self, data: &Located, pulls: &[Pull], slide: Slide) -> Vec<Across> {
         let pieces = self.pieces();
         let mut sums = vec![Across::default(); pieces.len()];
         for (m, (point, (s, t))) in data.points.iter().zip(self.space.places(&data.parameters)).enumerate() {
@@ -216,7 +264,10 @@ impl Spline {
             let square = along.norm_squared();
             let w = data.weight(m);
             // W = 1 − (1 − ALONG)·ttᵀ for the unit tangent t.
-            let less = if square > 0.0 { (1.0 - ALONG) / square } else { 0.0 };
+            // A point beyond an end of the curve slides nowhere: that end has to come to it.
+            let beyond =
+                !self.space.breaks.closed && (t <= 0.0 || t >= self.space.breaks.end) && !slide.over_ends;
+            let less = if square > 0.0 && !beyond { (1.0 - slide.along) / square } else { 0.0 };
             let [xx, xy, yy] = [
                 w * (1.0 - less * along.x * along.x),
                 -w * less * along.x * along.y,
