@@ -263,11 +263,11 @@ impl Spline {
             let rest = point - place;
             let square = along.norm_squared();
             let w = data.weight(m);
-            // W = 1 − (1 − ALONG)·ttᵀ for the unit tangent t.
-            // A point beyond an end of the curve slides nowhere: that end has to come to it.
-            let beyond =
-                !self.space.breaks.closed && (t <= 0.0 || t >= self.space.breaks.end) && !slide.over_ends;
-            let less = if square > 0.0 && !beyond { (1.0 - slide.along) / square } else { 0.0 };
+            // W = 1 − (1 − ε)·ttᵀ for the unit tangent t. A point beyond an end slides nowhere where that end has to
+            // come to it.
+            let at_end = !self.space.breaks.closed && (t <= 0.0 || t >= self.space.breaks.end);
+            let slides = square > 0.0 && (slide.over_ends || !at_end);
+            let less = if slides { (1.0 - slide.along) / square } else { 0.0 };
             let [xx, xy, yy] = [
                 w * (1.0 - less * along.x * along.x),
                 -w * less * along.x * along.y,
