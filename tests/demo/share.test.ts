@@ -105,6 +105,22 @@ test("DM-001 an edit is kept when the page is left at once", async (t) => {
   assert.equal(await demo.page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("expline.kept.")).length), 0, "it has moved into the database");
 });
 
+/** Loads the page again while a point is dragged; answers what was there before the drag. */
+async function reloadDuringDrag(demo: Demo): Promise<Awaited<ReturnType<Demo["state"]>>["curve"]> {
+  const { curve } = await demo.state();
+  const { x, y } = await demo.centre("pt-0-1");
+  await demo.page.mouse.move(x, y);
+  await demo.page.mouse.down();
+  await demo.page.mouse.move(x + 60, y + 20, { steps: 4 });
+  await demo.idle();
+  assert.notDeepEqual((await demo.state()).curve, curve, "the drag has begun");
+  await demo.page.reload();
+  await demo.page.mouse.up();
+  await demo.page.evaluate(() => window.explineDemo.ready);
+  await demo.idle();
+  return curve;
+}
+
 for (const [how, leave] of [
   ["goes to another page", async ({ page }) => void (await page.goto("about:blank"))],
   ["closes the tab", ({ page }) => page.close({ runBeforeUnload: true })],
@@ -139,17 +155,7 @@ test("DM-001 where what keeps drawings never came, the last edit is there at the
   await demo.withoutSnap();
   await demo.drag("pt-0-0", 40, 30);
   await demo.page.locator("[data-error=storage]").waitFor();
-  const { curve } = await demo.state();
-  const { x, y } = await demo.centre("pt-0-1");
-  await demo.page.mouse.move(x, y);
-  await demo.page.mouse.down();
-  await demo.page.mouse.move(x + 60, y + 20, { steps: 4 });
-  await demo.idle();
-  assert.notDeepEqual((await demo.state()).curve, curve, "the drag has begun");
-  await demo.page.reload();
-  await demo.page.mouse.up();
-  await demo.page.evaluate(() => window.explineDemo.ready);
-  await demo.idle();
+  const curve = await reloadDuringDrag(demo);
   assertSame((await demo.state()).curve, curve);
 });
 
@@ -187,17 +193,7 @@ test("DM-001 what was done just before a drag is kept when a reload interrupts t
   const parts = (): Promise<string[]> => demo.page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
   await demo.until(parts, (names) => names.some((name) => name.includes("/autosave-")), "it can be kept");
   await demo.idle();
-  const { curve } = await demo.state();
-  const { x, y } = await demo.centre("pt-0-1");
-  await demo.page.mouse.move(x, y);
-  await demo.page.mouse.down();
-  await demo.page.mouse.move(x + 60, y + 20, { steps: 4 });
-  await demo.idle();
-  assert.notDeepEqual((await demo.state()).curve, curve, "the drag has begun");
-  await demo.page.reload();
-  await demo.page.mouse.up();
-  await demo.page.evaluate(() => window.explineDemo.ready);
-  await demo.idle();
+  const curve = await reloadDuringDrag(demo);
   assert.deepEqual((await demo.state()).curve, curve);
 });
 
