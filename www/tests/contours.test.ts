@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { joined, locate, loweredContour, reversedContour, startedAt, withClosed, withoutPoints } from "../src/document/curve/contours.ts";
+import { joined, locate, reversedContour, startedAt, withClosed, withoutPoints } from "../src/document/curve/contours.ts";
+import { loweredContour } from "../src/document/curve/lowered.ts";
 import { segmentCount, type Contour, type CurveDocument } from "../src/document/document.ts";
 import { curveSample } from "../src/document/curve/samples.ts";
 import { movePoints } from "../src/document/curve/commands.ts";

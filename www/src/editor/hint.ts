@@ -27,6 +27,9 @@ export function hintFor(state: EditorState): string {
       return "Drag to draw freehand. Your stroke becomes a curve with few points and sharp corners.";
     case "select":
       return selectHint(state);
+    default:
+      // Shapes bring their own.
+      return "";
   }
 }
 

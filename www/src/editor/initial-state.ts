@@ -45,6 +45,7 @@ export const initialState: EditorState = {
   drag: null,
   sketch: nothingSketched,
   modifiers: { shift: false, alt: false, mod: false },
+  space: false,
   stage: { left: 0, top: 0, width: 800, height: 600 },
   hint: "",
   keyboard: false,

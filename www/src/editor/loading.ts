@@ -89,7 +89,7 @@ export function late<T>(editor: Editor, wanted: (state: EditorState) => boolean,
 }
 
 /** A tool that is loaded when it first comes up; what the pointer does before it is there is done as soon as it is. */
-export function lazyTool(editor: Editor, isUp: () => boolean, load: () => Promise<Tool>): Tool {
+export function lazyTool(editor: Editor, isUp: (state: EditorState) => boolean, load: () => Promise<Tool>): Tool {
   let waiting: ((loaded: Tool) => void)[] = [];
   let passing: Parameters<Tool["hover"]>[0] | null = null;
   const there = late(editor, isUp, load, (loaded) => {

@@ -10,7 +10,7 @@ import type { Incoming, TraceProgress, TraceRun, TraceView } from "./trace/trace
 
 /** What the editor knows at one moment: documents, selections, how all of it is looked at. */
 
-export type ToolId = "select" | "pen" | "draw" | "hand";
+export type ToolId = "select" | "pen" | "draw" | "ellipse" | "rectangle" | "hand";
 
 export type OverlayId = "handles" | "polygon" | "knots" | "comb" | "subdivision" | "weights" | "fill" | "bezier" | "grid";
 
@@ -101,6 +101,8 @@ export interface EditorState {
   readonly drag: DragReadout | null;
   readonly sketch: Sketch;
   readonly modifiers: Modifiers;
+  /** The space bar is held: a press pans, and a shape that is being drawn moves. */
+  readonly space: boolean;
   /** Where the stage is in the window, CSS pixels. */
   readonly stage: StageBox;
   /**

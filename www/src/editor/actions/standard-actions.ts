@@ -5,7 +5,7 @@ import { fitted, zoomedAt, type ScreenPoint } from "../pointer/camera.ts";
 import {
   clearCurve, nudge, resetSelectedHandles, selectAll, selectEnd, selectNone, setKind, stepPart, stepSelection, toggleCusp,
 } from "../curve/edits.ts";
-import { framing, levelling, renewing } from "../curve/on-demand.ts";
+import { framing, levelling, renewing, shaping } from "../curve/on-demand.ts";
 import { late, whenLoaded } from "../loading.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "../editor.ts";
 
@@ -87,10 +87,16 @@ export function fitView(editor: Editor, most?: number): void {
   editor.patch({ view: fitted(box, stage, most) });
 }
 
+/** Fit has tools of its own, which these stand for there. */
+const inFit: readonly ToolId[] = ["pen", "draw", "hand"];
+
 const tools: readonly [ToolId, string, string][] = [
   ["select", "Select and edit", "V"],
   ["pen", "Pen", "P"],
   ["draw", "Draw", "D"],
+  // As in Illustrator: O and R are taken.
+  ["ellipse", "Ellipse", "L"],
+  ["rectangle", "Rectangle", "M"],
   ["hand", "Pan", "H"],
 ];
 
@@ -134,6 +140,9 @@ const editing: readonly Action[] = [
     { enabled: (state) => hasSelection(state) || (inCurve(state) && state.hover.kind === "curve") },
   ),
   renewal("duplicate", "Duplicate contour", "Edit", ["Mod+D"], "duplicate", hasSelection),
+  action("place-shape", "Shape in the middle", "Edit", ["Enter"], (editor) => shaping(editor, ({ placeInView }) => placeInView(editor)), {
+    enabled: (state) => inCurve(state) && (state.tool === "ellipse" || state.tool === "rectangle"),
+  }),
   action("clear", "Clear", "Edit", [], clearCurve, { enabled: hasCurve }),
 ];
 
@@ -218,7 +227,7 @@ export function registerStandardActions(editor: Editor): void {
   );
   const toolActions = tools.map(([id, label, key]) =>
     action(`tool-${id}`, label, "Tools", [key], aloud((target) => target.patch({ tool: id, hint: "" }), () => label), {
-      enabled: (state) => state.mode === "curve" || (state.mode === "fit" && id !== "select"),
+      enabled: (state) => inCurve(state) || (state.mode === "fit" && inFit.includes(id)),
       checked: (state) => state.tool === id,
     }),
   );

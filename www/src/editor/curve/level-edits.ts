@@ -1,4 +1,4 @@
-import { loweredContour } from "../../document/curve/contours.ts";
+import { loweredContour } from "../../document/curve/lowered.ts";
 import { nothingSelected, type Contour, type CurveDocument } from "../../document/document.ts";
 import { refined } from "../../kernel/curve/refining.ts";
 import { coarserInterpolating, finerInterpolating } from "../../kernel/curve/interpolating.ts";

@@ -50,7 +50,6 @@ class Pointers implements PointerInput {
   #trail: ScreenPoint[] = [];
   /** Where a pointer is that is not pressed. */
   #above: PointerRecord | null = null;
-  #spaceHeld = false;
   #penSeen = false;
 
   constructor(editor: Editor, tools: Readonly<Record<ToolId, Tool>>) {
@@ -128,8 +127,9 @@ class Pointers implements PointerInput {
   }
 
   space(held: boolean): void {
-    if (held === this.#spaceHeld) return;
-    this.#spaceHeld = held;
+    if (held === this.#editor.state.value.space) return;
+    this.flush();
+    this.#editor.patch({ space: held });
     if (this.#activity === null) this.#restCursor();
   }
 
@@ -166,7 +166,7 @@ class Pointers implements PointerInput {
   }
 
   #pansWith({ button, kind }: PointerRecord): boolean {
-    if (button === 1 || this.#spaceHeld) return true;
+    if (button === 1 || this.#editor.state.value.space) return true;
     if (this.#own()?.view !== undefined) return button === 2;
     const { tool, settings } = this.#editor.state.value;
     return tool === "hand" || (kind === "touch" && this.#penSeen && settings.penPans);
@@ -195,6 +195,7 @@ class Pointers implements PointerInput {
   }
 
   #restCursor(): void {
-    this.#editor.patch({ cursor: this.#spaceHeld || this.#editor.state.value.tool === "hand" ? "grab" : "default" });
+    const { space, tool } = this.#editor.state.value;
+    this.#editor.patch({ cursor: space || tool === "hand" ? "grab" : "default" });
   }
 }

@@ -3,7 +3,7 @@ import { whileLoading } from "../../editor/loading.ts";
 import type { Shell } from "../shell.ts";
 
 function isEmpty(state: EditorState): boolean {
-  return state.mode === "curve" && state.engine.status === "ready" && state.curve.contours.length === 0 && state.tool !== "pen";
+  return state.mode === "curve" && state.engine.status === "ready" && state.curve.contours.length === 0 && state.tool === "select";
 }
 
 /** An empty drawing: the pen, or three samples to start from. Presses beside the buttons go through to the stage. */
