@@ -6,7 +6,7 @@ import { FileError, parseState, writeState } from "../src/document/file/file.ts"
 import { emptyCurve, type DemoState } from "../src/document/document.ts";
 import type { FitDocument } from "../src/document/fit/fit.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
-import { addDrawing } from "../src/editor/curve/adding.ts";
+import { addDrawing } from "../src/editor/curve/adding/drawing.ts";
 import { clearCurve, loadCurve } from "../src/editor/curve/edits.ts";
 import { bringStrokes, simplifyInFit } from "../src/editor/fit/bring.ts";
 import { clearFit } from "../src/editor/fit/fit-edits.ts";

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { replaceContour } from "../src/document/curve/commands.ts";
 import { emptyCurve, type Contour } from "../src/document/document.ts";
-import { addDrawing } from "../src/editor/curve/adding.ts";
+import { addDrawing } from "../src/editor/curve/adding/drawing.ts";
 import { contoursOfPath, Hand } from "./harness.ts";
 
 /**

@@ -5,7 +5,7 @@ import { FileError, parseState, writeState } from "../src/document/file/file.ts"
 import { emptyCurve, type Contour, type CurveDocument } from "../src/document/document.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
 import { clearCurve, loadCurve } from "../src/editor/curve/edits.ts";
-import { addDrawing } from "../src/editor/curve/adding.ts";
+import { addDrawing } from "../src/editor/curve/adding/drawing.ts";
 import { openInCurve } from "../src/editor/curve/open-in-curve.ts";
 import { curveOf } from "../src/kernel/curve/curve-cache.ts";
 import { filled, filledTogether, type FilledShape } from "../src/kernel/paths/filling.ts";

@@ -7,6 +7,6 @@ export const renewing = onDemand(() => import("./contour-edits.ts"));
 /** What goes up and down the levels. */
 export const levelling = onDemand(() => import("./level-edits.ts"));
 /** Ellipses and rectangles. */
-export const shaping = onDemand(() => import("./shaping.ts"));
+export const shaping = onDemand(() => import("./adding/shapes.ts"));
 /** The frame around whole contours, what selects them, and what turns and stretches. */
 export const framing = onDemand(() => import("./framing.ts"));

@@ -1,6 +1,6 @@
 import type { Contour, CurveDocument } from "../../document/document.ts";
 import { duplicateContours } from "../../document/curve/commands.ts";
-import { addDrawing } from "../../editor/curve/adding.ts";
+import { addDrawing } from "../../editor/curve/adding/drawing.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { toScreen } from "../../editor/pointer/camera.ts";
 

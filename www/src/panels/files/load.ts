@@ -1,6 +1,6 @@
 import type { Contour } from "../../document/document.ts";
 import type { Imported } from "../../document/imported.ts";
-import { addDrawing } from "../../editor/curve/adding.ts";
+import { addDrawing } from "../../editor/curve/adding/drawing.ts";
 import { whileLoading } from "../../editor/loading.ts";
 import { routeOf } from "../../editor/route.ts";
 import type { Shell } from "../shell.ts";

@@ -1,5 +1,5 @@
 import { replaceContour, reverseContour, type Command } from "../../document/curve/commands.ts";
-import { pullHandles, startName } from "../../document/curve/drawing.ts";
+import { pullHandles, startName } from "../../document/curve/drawing/points.ts";
 import { pointAt, type Offset, type PointRef } from "../../document/document.ts";
 import { mostPoints, refuse } from "../../editor/curve/edits.ts";
 import type { Editor } from "../../editor/editor.ts";

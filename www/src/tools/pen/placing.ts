@@ -1,5 +1,5 @@
 import type { Command } from "../../document/curve/commands.ts";
-import { closeDrawn, cornerAt, growContour, startContour } from "../../document/curve/drawing.ts";
+import { closeDrawn, cornerAt, growContour, startContour } from "../../document/curve/drawing/points.ts";
 import { joinEnds } from "../../document/curve/joining.ts";
 import { nothingSelected, type Contour, type ControlPoint, type PointRef } from "../../document/document.ts";
 import type { EditorState, Rubber } from "../../editor/editor.ts";

@@ -1,6 +1,6 @@
 import type { Box } from "../../document/artboard.ts";
 import { nothingSelected, type CurveDocument } from "../../document/document.ts";
-import { sayDrawn, shapeIn, sizeOf, type ShapeId } from "../../editor/curve/shaping.ts";
+import { sayDrawn, shapeIn, sizeOf, type ShapeId } from "../../editor/curve/adding/shapes.ts";
 import { refuse } from "../../editor/curve/edits.ts";
 import type { Editor, EditorState, Modifiers } from "../../editor/editor.ts";
 import type { PagePoint } from "../../editor/pointer/camera.ts";

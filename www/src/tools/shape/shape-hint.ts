@@ -1,4 +1,4 @@
-import { shapeOf, type ShapeId } from "../../editor/curve/shaping.ts";
+import { shapeOf, type ShapeId } from "../../editor/curve/adding/shapes.ts";
 import type { Editor } from "../../editor/editor.ts";
 
 /** What the hint line says while a shape is drawn, and before. */

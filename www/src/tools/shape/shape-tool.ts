@@ -1,4 +1,4 @@
-import { placeShape, shapeOf, type ShapeId } from "../../editor/curve/shaping.ts";
+import { placeShape, shapeOf, type ShapeId } from "../../editor/curve/adding/shapes.ts";
 import type { Editor } from "../../editor/editor.ts";
 import type { Tool } from "../../editor/tool.ts";
 import { pressOrDrag } from "../press-or-drag.ts";

@@ -1,5 +1,5 @@
-import type { Box } from "../artboard.ts";
-import type { Contour, ControlPoint, CurveDocument, Offset } from "../document.ts";
+import type { Box } from "../../artboard.ts";
+import type { Contour, ControlPoint, CurveDocument, Offset } from "../../document.ts";
 
 /** Contours that fill a box: which way round they run, and where they begin, does not depend on how it was drawn. */
 

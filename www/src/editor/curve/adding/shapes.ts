@@ -1,11 +1,11 @@
-import type { Box } from "../../document/artboard.ts";
-import { ellipseIn, rectangleIn } from "../../document/curve/boxed.ts";
-import { addContours, type Command } from "../../document/curve/commands.ts";
-import type { Contour, CurveDocument } from "../../document/document.ts";
-import { decimalsIn, unitIn } from "../../document/unit.ts";
-import type { PagePoint } from "../pointer/camera.ts";
-import type { Editor, EditorState, ToolId } from "../editor.ts";
-import { gridOf } from "../pointer/snapping.ts";
+import type { Box } from "../../../document/artboard.ts";
+import { ellipseIn, rectangleIn } from "../../../document/curve/drawing/shapes.ts";
+import { addContours, type Command } from "../../../document/curve/commands.ts";
+import type { Contour, CurveDocument } from "../../../document/document.ts";
+import { decimalsIn, unitIn } from "../../../document/unit.ts";
+import type { PagePoint } from "../../pointer/camera.ts";
+import type { Editor, EditorState, ToolId } from "../../editor.ts";
+import { gridOf } from "../../pointer/snapping.ts";
 
 /** Ellipses and rectangles, each one more contour of the drawing. */
 

@@ -1,7 +1,7 @@
-import type { Setting } from "../../document/artboard.ts";
-import { addContours, cleared } from "../../document/curve/commands.ts";
-import { filledTogether, type FilledDrawing } from "../../kernel/paths/filling.ts";
-import type { Editor } from "../editor.ts";
+import type { Setting } from "../../../document/artboard.ts";
+import { addContours, cleared } from "../../../document/curve/commands.ts";
+import { filledTogether, type FilledDrawing } from "../../../kernel/paths/filling.ts";
+import type { Editor } from "../../editor.ts";
 
 /**
  * Adds contours to the drawing, or puts them in its place. What comes to others is chosen, ready to be moved from where

@@ -1,6 +1,6 @@
-import { replaceContour, type Command } from "./commands.ts";
-import { noOffset, type Contour, type ControlPoint, type CurveDocument, type Offset, type PointRef } from "../document.ts";
-import { opposite } from "./offset.ts";
+import { replaceContour, type Command } from "../commands.ts";
+import { noOffset, type Contour, type ControlPoint, type CurveDocument, type Offset, type PointRef } from "../../document.ts";
+import { opposite } from "../offset.ts";
 
 /** What drawing point by point does to a document: contours are begun, gone on with and closed, handles are pulled. */
 
