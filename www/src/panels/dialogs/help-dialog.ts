@@ -18,6 +18,7 @@ const gesturesOf: Readonly<Record<Mode, readonly Gesture[]>> = {
     ["Shift while dragging", "constrains to the axes, 45° or 15° steps"],
     ["Ctrl while dragging", "turns snapping off"],
     ["Click an end with the pen", "continues that path, or joins it to the one you draw"],
+    ["Drag with Ellipse or Rectangle", "draws from corner to corner; Shift for equal sides, Alt from the centre, Space moves it"],
     ["Double-click the curve", "inserts a point without changing the curve"],
     ["Double-click a point", "switches between smooth and cusp"],
     ["Double-click inside a shape", "selects all of it, with a frame to scale and rotate"],
