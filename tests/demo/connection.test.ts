@@ -64,6 +64,28 @@ test("a mode that takes its time says so, on its own stage and nowhere else, unt
   assert.equal(await note.count(), 0);
 });
 
+test("Samples that are asked for while Fit is on its way are Fit's, once it is there, and none for who has gone elsewhere", async (t) => {
+  for (const stays of [true, false]) {
+    const demo = await open(t, "", { serviceWorkers: "block" });
+    let go: () => void = () => undefined;
+    const held = new Promise<void>((resolve) => (go = resolve));
+    await demo.page.context().route(/\/fit-mode[^/]*\.js/u, (route) => void held.then(() => route.continue()));
+    await demo.byId("tab-fit").click();
+    for (const _ of [1, 2]) await demo.byId("btn-samples").click();
+    // The dialog's own part has come.
+    await demo.until(() => demo.page.evaluate(() => performance.getEntriesByType("resource").some(({ name }) => name.includes("samples-dialog"))), (has) => has, "the dialog is there");
+    await demo.page.waitForTimeout(200);
+    assert.equal(await demo.byId("samples-dialog").count(), 0);
+    if (!stays) await demo.byId("tab-curve").click();
+    go();
+    if (stays) await demo.byId("samples-dialog").waitFor();
+    await demo.idle();
+    assert.equal(await demo.byId("samples-dialog").count(), stays ? 1 : 0);
+    assert.deepEqual([await demo.byId("sample-fit-star").count(), await demo.byId("sample-heart").count()], [stays ? 1 : 0, 0]);
+    assert.deepEqual(demo.complaints, []);
+  }
+});
+
 for (const part of ["reopening", "kept"]) {
   test(`without ${part} the last session is missed, and the rest of the page is there; the next visit has the session again`, async (t) => {
     const { demo, clear } = await cutOff(t, new RegExp(`/${part}-[^/]*\\.js`, "u"));

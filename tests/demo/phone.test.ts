@@ -382,6 +382,47 @@ test("on a phone all that Export can save is in sight at once", async (t) => {
   assert.deepEqual(hidden, []);
 });
 
+test("in Export the longest choice of every list is there to its last letter, beside a mouse, too", async (t) => {
+  for (const options of [{}, phone, { ...phone, viewport: { width: 360, height: 740 } }, { ...phone, viewport: { width: 430, height: 932 } }, smallest]) {
+    const demo = await open(t, "", options);
+    if (await demo.byId("btn-menu").isVisible()) await demo.byId("btn-menu").click();
+    await demo.byId("btn-export").click();
+    await demo.byId("export-dialog").waitFor();
+    await demo.still();
+    const cut = await demo.page.locator("[data-testid=export-dialog] .export-options select").evaluateAll((all) => all.flatMap((list) => {
+      // A list is by itself as wide as its longest choice and its arrow need.
+      const free = list.cloneNode(true) as HTMLElement;
+      free.style.cssText = "position: fixed; width: max-content; min-width: 0";
+      list.after(free);
+      const [has, needs] = [list, free].map((each) => each.getBoundingClientRect().width);
+      free.remove();
+      return (has ?? 0) >= (needs ?? 0) ? [] : [`${list.getAttribute("data-testid")}: ${has} of ${needs}`];
+    }));
+    assert.deepEqual(cut, [], JSON.stringify(options));
+  }
+});
+
+test("in Help what keys do begins in one line below the other, however long the keys are", async (t) => {
+  for (const options of [{}, { viewport: { width: 700, height: 800 } }, phone, smallest]) {
+    const demo = await open(t, "", options);
+    await demo.focusStage();
+    await demo.press("?");
+    await demo.byId("help-dialog").waitFor();
+    await demo.still();
+    const groups = await demo.page.locator(".key-group").evaluateAll((all) => all.map((group) => {
+      const begin = group.getBoundingClientRect().left;
+      const rows = [...group.querySelectorAll(".key-row")];
+      const isClear = rows.every((row) => {
+        const words = row.querySelector("dd")?.getBoundingClientRect().left ?? 0;
+        return [...row.querySelectorAll("kbd")].every((key) => key.getBoundingClientRect().right <= words);
+      });
+      return { begins: [...new Set(rows.map((row) => Math.round((row.querySelector("dd")?.getBoundingClientRect().left ?? 0) - begin)))], isClear };
+    }));
+    assert.ok(groups.length > 4);
+    for (const { begins, isClear } of groups) assert.ok(begins.length <= 1 && isClear, `${JSON.stringify(options)}: ${begins.join(", ")}`);
+  }
+});
+
 test("boxes to tick begin where words do, on a phone as beside a mouse", async (t) => {
   for (const options of [{}, phone]) {
     const demo = await open(t, "#/curve?sample=heart", options);

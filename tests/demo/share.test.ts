@@ -186,6 +186,32 @@ for (const [what, part] of [["the last session", "kept"], ["a shared link", "sha
   });
 }
 
+test("the stage says what it waits for: the engine, and once that is there the drawing", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", { serviceWorkers: "block" });
+  await demo.focusStage();
+  await demo.press("]", "ArrowUp");
+  await demo.kept();
+  await demo.page.goto("about:blank");
+  const release = new Map<string, () => void>();
+  for (const part of ["expline_bg-", "kept-"]) {
+    const held = new Promise<void>((resolve) => release.set(part, resolve));
+    await demo.page.route((url) => url.pathname.includes(`/${part}`), async (route) => {
+      await held;
+      await route.continue();
+    });
+  }
+  await demo.page.goto(process.env["DEMO_URL"] ?? "");
+  const note = demo.page.locator(".boot-note");
+  await note.waitFor();
+  assert.equal(await note.textContent(), "Loading the spline engine…");
+  release.get("expline_bg-")?.();
+  await demo.until(() => note.textContent(), (text) => text === "Opening your drawing…", "the drawing is waited for");
+  release.get("kept-")?.();
+  await demo.page.evaluate(() => window.explineDemo.ready);
+  await demo.idle();
+  assert.equal(await note.count(), 0);
+});
+
 test("DM-001 what was done just before a drag is kept when a reload interrupts the drag", async (t) => {
   const demo = await open(t, "#/curve?sample=heart");
   await demo.drag("pt-0-1", 40, 30);

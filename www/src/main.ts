@@ -74,6 +74,7 @@ function mount(): ExplineDemo {
       editor.patch({ engine: { status: "failed", ...failure } });
       return;
     }
+    panels.wait("Opening your drawing…");
     const openSession = await panels.session;
     if (until.aborted) return;
     editor.patch({ engine: { status: "ready" } });

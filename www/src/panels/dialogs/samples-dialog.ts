@@ -1,3 +1,4 @@
+import type { Mode } from "../../document/document.ts";
 import { curveSamples } from "../../document/curve/samples.ts";
 import { openSample } from "../../editor/route.ts";
 import { openDialog } from "../controls/dialog.ts";
@@ -5,8 +6,28 @@ import { h } from "../controls/dom.ts";
 import { thumbnail } from "../curve/thumbnail.ts";
 import type { Shell } from "../shell.ts";
 
-/** The gallery: every sample as it will look, with a sentence on what it is for. */
+/**
+ * The gallery: every sample as it will look, with a sentence on what it is for. While a mode is on its way, its samples
+ * are.
+ */
 export function openSamples(shell: Shell): void {
+  const { mode } = shell.editor.state.value;
+  if (mode === "curve" || shell.samples.has(mode)) open(shell);
+  else openWhenThere(shell, mode);
+}
+
+/** Nobody who has gone elsewhere meanwhile is offered them, nor anybody twice. */
+function openWhenThere(shell: Shell, mode: Mode): void {
+  const waiting = new AbortController();
+  shell.editor.state.subscribe((state) => {
+    const isThere = shell.samples.has(mode);
+    if (!isThere && state.mode === mode) return;
+    waiting.abort();
+    if (state.mode === mode && document.querySelector("dialog[open]") === null) open(shell);
+  }, { until: waiting.signal });
+}
+
+function open(shell: Shell): void {
   const present = shell.editor.state.value.curve.sample;
   const cards = curveSamples.map((sample) =>
     h(

@@ -17,8 +17,11 @@ export function mountBoot({ editor, regions, until }: Shell): Wait {
   let slow: ReturnType<typeof setTimeout> | undefined;
   const wait: Wait = (text) => {
     clearTimeout(slow);
-    if (text === null) slot.replaceChildren();
-    else slow = setTimeout(() => slot.replaceChildren(h("p", { class: "boot-note", role: "status" }, text)), patienceMs);
+    if (text === null) return slot.replaceChildren();
+    const say = (): void => slot.replaceChildren(h("p", { class: "boot-note", role: "status" }, text));
+    // What is waited for next is said at once where something is said already.
+    if (slot.firstChild === null) slow = setTimeout(say, patienceMs);
+    else say();
   };
   const show = (engine: Engine): void => {
     regions.stage.dataset["engine"] = engine.status;
