@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { pointAt, type Contour, type CurveDocument } from "../src/document/document.ts";
+import { actionFor } from "../src/editor/actions/keymap.ts";
 import { setFamily } from "../src/editor/curve/family-edits.ts";
 import { framing, shaping } from "../src/editor/curve/on-demand.ts";
 import { hintFor } from "../src/editor/hint.ts";
@@ -185,6 +186,8 @@ test("Enter makes one in the middle of what is seen, and once more beside it", a
   hand.editor.patch({ view: { zoom: 1, x: 123.4, y: -56.7 } });
   const enter = async (): Promise<void> => {
     assert.equal(hand.input.finish(), false);
+    // With points chosen, too.
+    assert.equal(actionFor(hand.editor, "Enter")?.id, "place-shape");
     hand.run("place-shape");
     while (hand.editor.loading.size > 0) await Promise.all(hand.editor.loading);
   };
@@ -195,7 +198,7 @@ test("Enter makes one in the middle of what is seen, and once more beside it", a
   await enter();
   assert.deepEqual(hand.curve.contours.map((contour) => boxOf(contour)[0]), [73, 93, 113]);
   hand.run("tool-select");
-  assert.equal(hand.editor.actions.get("place-shape")?.enabled?.(hand.editor.state.value), false, "Enter inserts points again");
+  assert.equal(actionFor(hand.editor, "Enter")?.id, "insert", "as it does with other tools");
 });
 
 test("corners snap to points and to the grid, Shift's squares too, and Ctrl lets go of both", async () => {

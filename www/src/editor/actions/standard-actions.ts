@@ -13,6 +13,7 @@ import type { Action, Editor, EditorState, OverlayId, ToolId } from "../editor.t
 
 const inCurve = (state: EditorState): boolean => state.mode === "curve";
 const hasSelection = (state: EditorState): boolean => inCurve(state) && state.selection.points.length > 0;
+const drawsShapes = (state: EditorState): boolean => inCurve(state) && (state.tool === "ellipse" || state.tool === "rectangle");
 const hasCurve = (state: EditorState): boolean => inCurve(state) && state.curve.contours.length > 0;
 
 function action(id: string, label: string, group: Action["group"], keys: readonly string[], run: Action["run"], more: Partial<Action> = {}): Action {
@@ -140,9 +141,6 @@ const editing: readonly Action[] = [
     { enabled: (state) => hasSelection(state) || (inCurve(state) && state.hover.kind === "curve") },
   ),
   renewal("duplicate", "Duplicate contour", "Edit", ["Mod+D"], "duplicate", hasSelection),
-  action("place-shape", "Shape in the middle", "Edit", ["Enter"], (editor) => shaping(editor, ({ placeInView }) => placeInView(editor)), {
-    enabled: (state) => inCurve(state) && (state.tool === "ellipse" || state.tool === "rectangle"),
-  }),
   action("clear", "Clear", "Edit", [], clearCurve, { enabled: hasCurve }),
 ];
 
@@ -160,7 +158,7 @@ const pointActions: readonly Action[] = [
   action("smooth", "Smooth", "Points", [], (editor) => setKind(editor, "smooth"), { enabled: hasSelection }),
   action("cusp", "Cusp", "Points", [], (editor) => setKind(editor, "cusp"), { enabled: hasSelection }),
   action("reset-handles", "Automatic handles", "Points", [], (editor) => resetSelectedHandles(editor), { enabled: hasSelection }),
-  renewal("insert", "Insert point after selection", "Points", ["Enter"], "insertAfterSelected", hasSelection),
+  renewal("insert", "Insert point after selection", "Points", ["Enter"], "insertAfterSelected", (state) => hasSelection(state) && !drawsShapes(state)),
   action("insert-here", "Insert point here", "Points", [], insertAtHover, { enabled: (state) => inCurve(state) && state.hover.kind === "curve" }),
   renewal("delete", "Delete and heal", "Points", ["Delete", "Backspace"], "deleteAndHeal", hasSelection),
   renewal("delete-open", "Delete and open", "Points", ["Shift+Delete", "Shift+Backspace"], "deleteAndOpen", hasSelection),
@@ -231,11 +229,14 @@ export function registerStandardActions(editor: Editor): void {
       checked: (state) => state.tool === id,
     }),
   );
+  const shape = action("place-shape", "Ellipse or rectangle in the middle", "Tools", ["Enter"], (target) => shaping(target, ({ placeInView }) => placeInView(target)), {
+    enabled: drawsShapes,
+  });
   const modeActions = modes.map((mode, index) =>
     action(`mode-${mode}`, modeNames[mode], "Modes", [String(index + 1)], (target) => target.patch({ mode, hint: "" }), {
       checked: (state) => state.mode === mode,
     }),
   );
-  const all = [...editing, ...pointActions, ...transforms, ...nudgeActions(), ...viewing, ...switches, ...toolActions, ...modeActions];
+  const all = [...editing, ...pointActions, ...transforms, ...nudgeActions(), ...viewing, ...switches, ...toolActions, shape, ...modeActions];
   for (const each of all) editor.actions.register(each);
 }

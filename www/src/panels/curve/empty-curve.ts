@@ -3,7 +3,7 @@ import { whileLoading } from "../../editor/loading.ts";
 import type { Shell } from "../shell.ts";
 
 function isEmpty(state: EditorState): boolean {
-  return state.mode === "curve" && state.engine.status === "ready" && state.curve.contours.length === 0 && state.tool === "select";
+  return state.mode === "curve" && state.engine.status === "ready" && state.curve.contours.length === 0 && (state.tool === "select" || state.tool === "hand");
 }
 
 /** An empty drawing: the pen, or three samples to start from. Presses beside the buttons go through to the stage. */

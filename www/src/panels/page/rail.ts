@@ -5,7 +5,7 @@ import { withKey, type Shell } from "../shell.ts";
 
 /** The tools, beside the stage or, on a phone, over its corner. */
 export function mountRail({ editor, regions, until }: Shell): void {
-  const tools = editor.actions.all().filter(({ group }) => group === "Tools");
+  const tools = editor.actions.all().filter(({ id }) => id.startsWith("tool-"));
   const buttons = tools.map(({ id, label }) =>
     h("button", { class: "tool", type: "button", testid: id, "aria-label": label, title: withKey(editor, label, id), click: () => editor.actions.run(id) }, icon(id.slice(5) as ToolId)));
   regions.rail.append(h("div", { class: "tools", role: "toolbar", "aria-label": "Tools", "aria-orientation": "vertical" }, ...buttons));
