@@ -435,3 +435,24 @@ fn a_line_that_is_one_cubic_comes_back_as_one_however_its_points_are_spread() {
         }
     }
 }
+
+/// Points by length ask for knots where the speed changes, in noise as well; points that slide do not. A cubic has
+/// eight numbers, of which two only say how fast it is: six take a point's share of the noise across.
+#[test]
+fn noisy_points_of_one_cubic_need_no_knot() {
+    let mut random = Random::new(51);
+    let (mut knots, mut share, cases) = (0, 0.0, 48);
+    for case in 0..cases {
+        let clean = along_a_cubic([40, 120, 900][case % 3], &mut random);
+        let sigma = [0.3, 1.0][case % 2];
+        let options = Options { closed: Some(false), ..Options::default() };
+        let fitted = fit(&random.noisy(&clean, sigma), Ask::Noise, &options).expect("fitted");
+        let finder = NearestFinder::new(&fitted.curve);
+        knots += fitted.knots.len();
+        let off = |p: &Point| finder.nearest(*p).distance / sigma;
+        share += clean.iter().map(|p| off(p) * off(p)).sum::<f64>() / (6 * cases) as f64;
+    }
+    assert!(knots <= 2, "{knots} knots in {cases} lines");
+    // With the two knots each that points by length ask for, twelve numbers take their share.
+    assert!(share < 1.3, "{share} times what the numbers of a cubic cost");
+}

@@ -11,6 +11,7 @@ mod polishing;
 mod resort;
 mod rounding;
 mod runs;
+mod sliding;
 mod spacing;
 mod straightening;
 mod sweeping;
@@ -20,6 +21,7 @@ use self::evening::Evening;
 use self::last_knots::Fewer;
 use self::resort::Resort;
 pub(in crate::fit) use self::resort::Resorted;
+use self::sliding::Sliding;
 use self::sweeping::Swept;
 use self::view::View;
 use super::breaks::Breaks;
@@ -150,6 +152,8 @@ pub(in crate::fit) struct Sparsest {
     swept: Swept,
     /// Ways to do without a knot of the best, while these are tried.
     fewer: Fewer,
+    /// The same with points that slide, while knots are taken away.
+    sliding: Option<Sliding>,
 }
 
 /// What the curve is to be, and what is known of its points.
@@ -390,6 +394,9 @@ impl Sparsest {
         if self.phase == Phase::Done && !self.straightened {
             let rounded = was == Phase::RoundOff || self.asked.least_turn <= 0.0;
             self.phase = if rounded { Phase::Straighten } else { Phase::RoundOff };
+        }
+        if was == Phase::Straighten && self.may_slide() {
+            self.phase = Phase::Last(0);
         }
     }
 }

@@ -72,6 +72,7 @@ impl Sparsest {
             resort: Resort::None,
             swept: Swept::Not,
             fewer: Fewer::default(),
+            sliding: None,
         }
     }
 

@@ -15,7 +15,7 @@ const MOST_SLIDES: usize = 8;
 const CHEAPEST: usize = 6;
 
 /// By how much of a step between points a corner may move where a knot is taken away.
-const STAYS: f64 = 0.3;
+pub(super) const STAYS: f64 = 0.3;
 
 impl Sparsest {
     /// The best curve of noisy points with corners in place of neighbouring knots that explain the points hardly

@@ -62,12 +62,12 @@ impl Sparsest {
     /// Takes the next of the cheapest knots away from the best fit and lets the others make up for it, the farthest
     /// points weighing most.
     pub(super) fn last(&mut self, next: usize) -> Phase {
-        if let Aim::Squares(target) = self.asked.aim {
-            return self.lighter(next, target);
-        }
-        let (Aim::Tolerance(tolerance), Some(best)) = (self.asked.aim, &self.found) else {
-            return Phase::Done;
+        let tolerance = match self.asked.aim {
+            Aim::Squares(target) => return self.lighter(next, target),
+            Aim::Noise(_) => return self.slide(next),
+            Aim::Tolerance(tolerance) => tolerance,
         };
+        let Some(best) = &self.found else { return Phase::Done };
         let seen = if self.view.is_averaged() { &self.view.seen } else { &best.located };
         let whole = &best.spline.space.breaks;
         if next == 0 {

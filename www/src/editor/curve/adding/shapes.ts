@@ -22,7 +22,7 @@ function contourIn(curve: CurveDocument, shape: ShapeId, box: Box): Contour {
   return shape === "ellipse" ? ellipseIn(curve, box) : rectangleIn(box);
 }
 
-/** The shape that fills a box, behind all contours that there are, and chosen. */
+/** The shape that fills a box, the last of all contours, and chosen. */
 export function shapeIn(curve: CurveDocument, shape: ShapeId, box: Box): Command {
   return addContours(names[shape], [contourIn(curve, shape, box)], true);
 }
