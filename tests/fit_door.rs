@@ -335,6 +335,20 @@ fn curves_to_be_seen_at_once_agree_within_the_gap_whatever_was_asked_before() {
 }
 
 #[test]
+fn a_search_has_the_same_bits_after_curves_that_were_to_be_seen_at_once() {
+    for case in 0..5 {
+        let (points, mut options) = various(case);
+        options.gap = 1e-2;
+        for ask in [Ask::Tolerance(4.0), Ask::Noise, Ask::MeanSquare(2.0)] {
+            let mut fitter = Fitter::new(&points, &options).expect("good points");
+            let _ = asked(&mut fitter, &Ask::Smoothing(0.5));
+            let alone = fit(&points, ask.clone(), &options).expect("a curve");
+            assert!(bits(&asked(&mut fitter, &ask)) == bits(&alone), "{case}: {ask:?}");
+        }
+    }
+}
+
+#[test]
 fn weights_that_may_be_given_may_be_given_with_robust_too() {
     let far = |i: usize| Point::new(i as f64, if i == 50 { 80.0 } else { 0.0 });
     let points: Vec<Point> = (0..100).map(far).collect();

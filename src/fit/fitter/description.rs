@@ -145,14 +145,14 @@ impl Fitter {
     }
 
     pub(super) fn frame(&self) -> report::Frame<'_> {
-        let hurried = !self.lambdas.is_empty() && self.options.gap >= GLIMPSE;
+        let solved = matches!(self.run, Run::Convex(_) | Run::Finish(_));
         report::Frame {
             samples: &self.samples,
             unit: self.unit,
             noise: self.level,
             robust: self.options.robust,
             own: &self.own,
-            hurried,
+            hurried: solved && self.options.gap >= GLIMPSE,
         }
     }
 }
