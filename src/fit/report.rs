@@ -6,6 +6,7 @@ use super::knots::spline::{Spline, derivative_of};
 use super::outcome::{Fit, FitStatus, Joints, Knot, Part};
 use super::outline::only;
 use super::samples::Samples;
+use crate::curve::HermiteCurve;
 use crate::error::Result;
 use crate::limits::{self, LARGEST_COORDINATE};
 use crate::numerics::Vector;
@@ -107,27 +108,41 @@ pub(super) fn fit(
         // The curve ends where its lengths add up to, an ulp before or after.
         (t * frame.unit).min(last)
     };
+    let parameters = samples.place.iter().map(|&m| own(feet[m as usize])).collect();
     Ok(Fit {
-        curve,
         deviation,
-        parts: Vec::new(),
-        knots: Vec::new(),
-        parameters: samples.place.iter().map(|&m| own(feet[m as usize])).collect(),
-        objective: f64::INFINITY,
         data_term: at_parameters * square,
-        regularizer: f64::INFINITY,
-        gap: f64::INFINITY,
         qfe: at_parameters * square / total,
         max_error: distances.largest * samples.scale + deviation + rounding(samples) + slip,
         rms: (distances.squares / total).sqrt() * samples.scale,
+        outliers: outliers(frame, spline, located, feet),
+        ..drawn(frame, curve, parameters)
+    })
+}
+
+/// A curve that is off nowhere and of which no more is known.
+fn drawn(frame: &Frame<'_>, curve: HermiteCurve, parameters: Vec<f64>) -> Fit {
+    Fit {
+        curve,
+        deviation: 0.0,
+        parts: Vec::new(),
+        knots: Vec::new(),
+        parameters,
+        objective: f64::INFINITY,
+        data_term: 0.0,
+        regularizer: f64::INFINITY,
+        gap: f64::INFINITY,
+        qfe: 0.0,
+        max_error: 0.0,
+        rms: 0.0,
         iterations: 0,
         lambda: Vec::new(),
         smoothing: None,
-        noise: frame.noise * samples.scale,
-        outliers: outliers(frame, spline, located, feet),
+        noise: frame.noise * frame.samples.scale,
+        outliers: Vec::new(),
         status: FitStatus::Running,
         changes: Vec::new(),
-    })
+    }
 }
 
 /// The points joined by lines, for points near the limit of coordinates. Its parameter runs four times as fast as their
@@ -160,6 +175,7 @@ pub(super) fn polygon(frame: &Frame<'_>) -> Result<Fit> {
     let inner = if closed { 0..count } else { 1..count - 1 };
     // Points are centred and scaled on the way: the last digit may change.
     let rounding = samples.scale * f64::EPSILON;
+    let parameters = samples.place.iter().map(|&m| f64::from(m) * STEP).collect();
     Ok(Fit {
         knots: inner.map(corner).collect(),
         parts: vec![Part {
@@ -167,23 +183,9 @@ pub(super) fn polygon(frame: &Frame<'_>) -> Result<Fit> {
             curve: curve.clone(),
             coefficients: samples.points.iter().map(|p| p * samples.scale).collect(),
         }],
-        curve,
-        deviation: 0.0,
-        parameters: samples.place.iter().map(|&m| f64::from(m) * STEP).collect(),
-        objective: f64::INFINITY,
-        data_term: 0.0,
-        regularizer: f64::INFINITY,
-        gap: f64::INFINITY,
-        qfe: 0.0,
         max_error: rounding,
-        rms: 0.0,
-        iterations: 0,
-        lambda: Vec::new(),
-        smoothing: None,
-        noise: frame.noise * samples.scale,
-        outliers: Vec::new(),
         status: FitStatus::Stalled,
-        changes: Vec::new(),
+        ..drawn(frame, curve, parameters)
     })
 }
 
