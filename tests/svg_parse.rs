@@ -375,6 +375,14 @@ fn an_arc_whose_chord_counts_as_0_is_nothing() {
 }
 
 #[test]
+fn a_segment_between_points_that_count_as_one_is_left_out() {
+    // What is smaller than 1e-50 counts as 0.
+    let line = only("M-88 1V3e-113V2e-195v-1e-60H5");
+    assert_eq!(line.points(), only("M-88 1V0H5").points());
+    assert!(curves("M0 0V1e-60L2e-70 3e-80").is_empty(), "nothing is drawn");
+}
+
+#[test]
 fn flat_arcs_of_huge_circles_keep_their_digits() {
     let curve = only("M0 0A1e8 1e8 0 0 1 10 10");
     assert!(curve.segment_count() <= 64, "an arc of a hundred million takes few segments");

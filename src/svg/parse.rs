@@ -307,7 +307,7 @@ impl Reader<'_> {
         if !self.open {
             self.open_subpath(self.start)?;
         }
-        if extent > 0.0 {
+        if extent >= LEAST_COORDINATE {
             self.points += 1;
             if self.points > MOST_PATH_POINTS {
                 return self.failed(too_many("d", "maxPoints", MOST_PATH_POINTS, self.points));
