@@ -29,8 +29,8 @@ const FAR: f64 = 1.0;
 /// How [`to_path_d`] writes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrintOptions {
-    /// The largest distance between the curve and what the text draws, by default 0.02; below 1e-9 of the extent, or
-    /// 1e-15 of the largest coordinate, it is raised to that.
+    /// The largest distance between the curve and what the text draws, by default 0.02; below 1e-9 of the extent of
+    /// points and Bézier points, or 1e-15 of the largest coordinate of these, it is raised to that.
     pub tolerance: f64,
     /// Digits behind the point, up to 17; `None` for as many as the tolerance needs. With 17 every coordinate is read
     /// back to the last bit.

@@ -93,7 +93,7 @@ export class LocalCurve extends SplineCurve {
   /**
    * The control points of patch k where the refined curve has them, coarser patches included: all coordinates in turn.
    *
-   * @throws {ExplineError} E_RANGE of a `k` that is no patch's.
+   * @throws {ExplineError} E_RANGE of a `k` that is no patch's, and where the refined curve has points beyond ±1e9.
    */
   patchPoints(k: number): Float64Array {
     const op = "patchPoints";

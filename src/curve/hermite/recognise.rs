@@ -18,7 +18,7 @@ const SEAM: f64 = 1e-12;
 pub struct EllipseArc {
     /// The centre.
     pub center: Point,
-    /// The half axes, the longer first.
+    /// The half axes, the longer first; of a circle they may differ by a rounding, either way.
     pub radii: Vector,
     /// The angle of the first axis against the x axis, in (−π/2, π/2]; 0 for a circle.
     pub rotation: f64,

@@ -270,7 +270,7 @@ impl LocalCurve {
     ///
     /// # Errors
     ///
-    /// k beyond the last patch.
+    /// k beyond the last patch; control points of the refined curve that would not be within ±1e9.
     pub fn patch_points(&self, k: usize) -> Result<Vec<f64>> {
         let (level, first) = (self.patch(k)?.level, self.patch(k)?.first);
         let mut curve = self.base.refine(1, 2, 2)?;
