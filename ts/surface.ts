@@ -1,29 +1,26 @@
 /** Surfaces: a net of points, smooth in both directions, exact for quadrics. */
 import {
-  type Floats,
   LARGEST,
   type MatrixLike,
   type OwnBytes,
   affine,
   coordinate,
-  exactly,
   finite,
   integer,
-  oneOr,
-  parameters,
   patchNumber,
   options as checkOptions,
   overLimit,
   rootList,
   wrong,
-  wrongLength,
 } from "./core.js";
 import { type MeshFileOptions, fileOptions, gltfOf, objOf } from "./surface/mesh-files.js";
 import { type Direction, MAX_LEVEL, type SurfacePatch, type TensorSurfaceOptions, checkedSurface, netOf, place } from "./surface/surface-arguments.js";
-import { type DirectionData, type PatchData, SurfaceData, readSurface } from "./surface/surface-data.js";
-import { type SurfaceKernel, call, copy, peek, result } from "./surface/surface-engine.js";
+import { type DirectionData, NAME, type PatchData, SurfaceData, readSurface } from "./surface/surface-data.js";
+import { copy, peek, result } from "./surface/surface-engine.js";
 import { type TensorSurfaceJSON, surfaceJSON } from "./surface/surface-json.js";
 import { type MeshRegion, type SurfaceMesh, curvatures, mend, newMesh, refill, sizes } from "./surface/surface-mesh.js";
+import { halves, pairwise } from "./surface/surface-places.js";
+import { shape, three } from "./surface/surface-shapes.js";
 
 export type { MeshFileOptions } from "./surface/mesh-files.js";
 export type { Direction, SurfacePatch, TensorSurfaceOptions } from "./surface/surface-arguments.js";
@@ -34,7 +31,6 @@ export type { MeshRegion, SurfaceMesh } from "./surface/surface-mesh.js";
 /** @internal */
 export { checkedSurface } from "./surface/surface-arguments.js";
 
-const NAME = "TensorSurface";
 /** The most vertices of a text: about 250 MB, half of what engines allow. */
 const MAX_WRITTEN = 1_000_000;
 
@@ -94,7 +90,7 @@ export class TensorSurface {
    * ```
    */
   static sphere(radius: number, segments?: readonly [number, number]): TensorSurface {
-    return shape("sphere", 0, [["radius", radius]], segments, [8, 4]);
+    return surfaceOf(shape("sphere", 0, [["radius", radius]], segments, [8, 4]));
   }
 
   /**
@@ -102,7 +98,7 @@ export class TensorSurface {
    * in `segments`.
    */
   static ellipsoid(radii: readonly [number, number, number] | Float32Array | Float64Array, segments?: readonly [number, number]): TensorSurface {
-    return shape("ellipsoid", 1, three("ellipsoid", "radii", radii), segments, [8, 4]);
+    return surfaceOf(shape("ellipsoid", 1, three("ellipsoid", "radii", radii), segments, [8, 4]));
   }
 
   /**
@@ -110,7 +106,7 @@ export class TensorSurface {
    * above 0. `segments` at least 3, by default [8, 6].
    */
   static torus(radius: number, tube: number, segments?: readonly [number, number]): TensorSurface {
-    return shape("torus", 2, [["radius", radius], ["tube", tube]], segments, [8, 6]);
+    return surfaceOf(shape("torus", 2, [["radius", radius], ["tube", tube]], segments, [8, 6]));
   }
 
   /**
@@ -118,7 +114,7 @@ export class TensorSurface {
    * [8, 2].
    */
   static cylinder(radius: number, height: number, segments?: readonly [number, number]): TensorSurface {
-    return shape("cylinder", 3, [["radius", radius], ["height", height]], segments, [8, 2]);
+    return surfaceOf(shape("cylinder", 3, [["radius", radius], ["height", height]], segments, [8, 2]));
   }
 
   /**
@@ -126,7 +122,7 @@ export class TensorSurface {
    * by default [5, 5].
    */
   static romanSurface(r: number, segments?: readonly [number, number]): TensorSurface {
-    return shape("romanSurface", 4, [["r", r]], segments, [5, 5]);
+    return surfaceOf(shape("romanSurface", 4, [["r", r]], segments, [5, 5]));
   }
 
   /**
@@ -134,12 +130,12 @@ export class TensorSurface {
    * default [6, 6].
    */
   static hyperbolicParaboloid(a: number, b: number, h: number, segments?: readonly [number, number]): TensorSurface {
-    return shape("hyperbolicParaboloid", 5, [["a", a], ["b", b], ["h", h]], segments, [6, 6]);
+    return surfaceOf(shape("hyperbolicParaboloid", 5, [["a", a], ["b", b], ["h", h]], segments, [6, 6]));
   }
 
   /** A duckling, about 2 high: a modelled shape of 12 × 11 points, twice continuously differentiable. */
   static character(): TensorSurface {
-    return shape("character", 6, [], undefined, [0, 0]);
+    return surfaceOf(shape("character", 6, [], undefined, [0, 0]));
   }
 
   /** A surface is no plain object, as a curve is none. @internal */
@@ -200,12 +196,13 @@ export class TensorSurface {
   evaluate(u: number | Float64Array | readonly number[], v: number | Float64Array | readonly number[], du = 0, dv = 0): Float64Array {
     const op = "evaluate";
     const orders = [integer(op, "du", du, 0, 8), integer(op, "dv", dv, 0, 8)] as const;
-    return pairwise(this, op, u, v, (kernel, slot, count) => kernel.surface_evaluate(slot, count, ...orders));
+    return pairwise(dataOf(this, op), op, u, v, (kernel, slot, count) => kernel.surface_evaluate(slot, count, ...orders));
   }
 
   /** Unit normals ∂u × ∂v at pairs of parameters: at poles their limit, 0, 0, 0 where the surface has none. */
   normal(u: number | Float64Array | readonly number[], v: number | Float64Array | readonly number[]): Float64Array {
-    return pairwise(this, "normal", u, v, (kernel, slot, count) => kernel.surface_evaluate(slot, count, 255, 0));
+    const op = "normal";
+    return pairwise(dataOf(this, op), op, u, v, (kernel, slot, count) => kernel.surface_evaluate(slot, count, 255, 0));
   }
 
   /**
@@ -216,7 +213,8 @@ export class TensorSurface {
     u: number | Float64Array | readonly number[],
     v: number | Float64Array | readonly number[],
   ): { gaussian: Float64Array; mean: Float64Array } {
-    return halves(pairwise(this, "curvature", u, v, (kernel, slot, count) => kernel.surface_curvature(slot, count)));
+    const op = "curvature";
+    return halves(pairwise(dataOf(this, op), op, u, v, (kernel, slot, count) => kernel.surface_curvature(slot, count)));
   }
 
   /**
@@ -418,51 +416,4 @@ export class TensorSurface {
 
 function described(direction: DirectionData): Required<Direction> {
   return { ...direction, roots: rootList(direction.roots) };
-}
-
-/** The two halves of what the kernel left. */
-function halves(values: Float64Array): { gaussian: Float64Array; mean: Float64Array } {
-  return { gaussian: values.slice(0, values.length / 2), mean: values.slice(values.length / 2) };
-}
-
-/** Answers at pairs of parameters. */
-function pairwise(
-  surface: TensorSurface,
-  op: string,
-  u: unknown,
-  v: unknown,
-  body: (kernel: SurfaceKernel, slot: number, count: number) => number,
-): Floats {
-  const data = dataOf(surface, op);
-  const list = (arg: string, value: unknown): Floats => {
-    const given = parameters(op, arg, value);
-    given.forEach((number, i) => finite(op, arg, number, typeof value === "number" ? undefined : i));
-    return given;
-  };
-  const [first, second] = [list("u", u), list("v", v)];
-  if (second.length !== first.length) throw wrongLength(op, "v", second.length, String(first.length));
-  const given = { u: oneOr(u, first), v: oneOr(v, second) };
-  return copy(data.ask(op, (kernel, slot) => body(kernel, slot, first.length), given, [first, second]));
-}
-
-function shape(
-  name: string,
-  which: number,
-  lengths: readonly (readonly [arg: string, value: unknown, index?: number])[],
-  segments: unknown,
-  byDefault: readonly [number, number],
-): TensorSurface {
-  const op = `${NAME}.${name}`;
-  const [a = 0, b = 0, c = 0] = lengths.map(([arg, value, index]) => finite(op, arg, value, index));
-  let [m, n] = byDefault;
-  if (segments !== undefined) {
-    const given = exactly(op, "segments", segments, 2);
-    [m, n] = [integer(op, "segments", given[0], 0, 0xffff, 0), integer(op, "segments", given[1], 0, 0xffff, 1)];
-  }
-  return derived(call(op, (kernel) => kernel.surface_shape(which, a, b, c, m, n)));
-}
-
-function three(name: string, arg: string, value: unknown): [string, unknown, number][] {
-  const op = `${NAME}.${name}`;
-  return Array.from(exactly(op, arg, value, 3), (number, i) => [arg, number, i]);
 }

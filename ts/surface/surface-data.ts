@@ -2,6 +2,9 @@
 import { type Door, type Floats, Held } from "../core.js";
 import { type SurfaceKernel, call, door, peek, result, write } from "./surface-engine.js";
 
+/** What the class of surfaces is called. @internal */
+export const NAME = "TensorSurface";
+
 /** How many surfaces an instance keeps at once. */
 const PLACES = 4;
 
