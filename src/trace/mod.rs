@@ -46,6 +46,7 @@ pub use metrics::{Jaccard, Metrics, diameter, directed_hausdorff, jaccard, mean_
 pub use options::{Model, Source, TraceOptions};
 pub use picture::blocks::{BlockScan, Blocks};
 pub use picture::census::Census;
+pub use picture::color_light::{ColorLight, LightScan};
 pub use picture::contour::{Contour, contours};
 pub use picture::gray::{Gray, GrayRows, MOST_PIXELS, MOST_SIDE};
 pub use picture::layers::{LayerRows, Layers};

@@ -5,6 +5,7 @@ pub(super) mod bitmap;
 pub(super) mod blocks;
 pub(super) mod blur;
 pub(super) mod census;
+pub(super) mod color_light;
 pub(super) mod contour;
 pub(super) mod gray;
 mod hues;

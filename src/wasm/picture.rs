@@ -1,7 +1,8 @@
 //! A picture under way: its rows, then the work on them.
 
 use crate::trace::{
-    BlockScan, Blocks, Census, Gray, GrayRows, LayerRows, LayerTracer, Layers, Tint, TraceOptions, Tracer,
+    BlockScan, Blocks, Census, ColorLight, Gray, GrayRows, LayerRows, LayerTracer, Layers, LightScan, Tint,
+    TraceOptions, Tracer,
 };
 use crate::{Error, Result};
 
@@ -22,6 +23,10 @@ pub(super) struct Job {
     pub(super) scan: BlockScan,
     /// Those that were found, and are traced instead of pixels.
     pub(super) blocks: Option<Blocks>,
+    /// Looks for uneven light in colours, while they are given for the first time,
+    pub(super) light_scan: Option<LightScan>,
+    /// and what was found, by which rows are made even from then on.
+    pub(super) light: Option<ColorLight>,
     /// Pixels that were given since they were last wanted, and squares that were taken from them.
     pub(super) read: [usize; 2],
 }
@@ -61,6 +66,13 @@ impl Job {
             &mut bright
         };
         self.scan.look(colors, 4);
+        if let Some(scan) = &mut self.light_scan {
+            scan.push_rgba_rows(colors);
+        }
+        if let Some(light) = &self.light {
+            light.even(self.read[0] / self.size[0], colors);
+            self.read[0] += colors.len() / 4;
+        }
         if let Some(blocks) = &self.blocks {
             let count = thin(blocks, &mut self.read, colors);
             colors = &mut colors[..count];
@@ -81,8 +93,16 @@ impl Job {
     pub(super) fn filled(&mut self) -> Result<bool> {
         if let Some(found) = self.scan.end() {
             self.blocks = Some(found);
+            self.light_scan = None;
             self.begin()?;
             return Ok(true);
+        }
+        if let Some(scan) = self.light_scan.take() {
+            self.light = scan.light()?;
+            if self.light.is_some() {
+                self.begin()?;
+                return Ok(true);
+            }
         }
         self.state = match core::mem::replace(&mut self.state, State::Failed) {
             State::Ink(rows) => {

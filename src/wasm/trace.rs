@@ -9,7 +9,7 @@ use super::numbers::Numbers;
 use super::picture::{Job, NOT_OPEN, State};
 use super::sections::{place, section};
 use crate::Result;
-use crate::trace::{BlockScan, Model, Source, Stage, Tint, TraceOptions, TracedContour};
+use crate::trace::{BlockScan, LightScan, Model, Source, Stage, Tint, TraceOptions, TracedContour};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Numbers of the record of options.
@@ -69,8 +69,22 @@ pub fn trace_open(count: u32) -> i32 {
             // A picture of ink looks for its squares itself.
             scan.end();
         }
-        let mut job =
-            Box::new(Job { size, channels, most_colors, palette, options, state, scan, blocks, read });
+        // Colours that are given are meant as they are.
+        let light_scan = (most_colors > 0).then(|| LightScan::new(width, height));
+        let light = None;
+        let mut job = Box::new(Job {
+            size,
+            channels,
+            most_colors,
+            palette,
+            options,
+            state,
+            scan,
+            blocks,
+            light_scan,
+            light,
+            read,
+        });
         job.begin()?;
         Ok(place(&mut kernel.traces, job))
     })

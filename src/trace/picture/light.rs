@@ -294,7 +294,7 @@ fn add_square(system: &mut [f64], list: &[f64], weight: f64) {
 /// Solves `n` positive definite equations, the right sides in the last column, by elimination; false if they are not.
 /// For six unknowns once a picture; nalgebra's decompositions would be 3 kB of the tracer's wasm.
 #[inline(never)]
-fn solve(system: &mut [f64], n: usize) -> bool {
+pub(super) fn solve(system: &mut [f64], n: usize) -> bool {
     let width = n + 1;
     for i in 0..n {
         let pivot = system[i * width + i];
