@@ -33,9 +33,9 @@ fn lit(bytes: &[u8], light: Light, deviation: f64) -> Vec<u8> {
 
 /// The picture in even light, if its light is found to be uneven. Its rows come as they like.
 fn evened(bytes: &[u8]) -> Option<Vec<u8>> {
-    let mut scan = LightScan::new(SIDE, SIDE);
+    let mut scan = LightScan::new(SIDE, SIDE).expect("room");
     bytes.chunks(4 * SIDE * 7).for_each(|rows| scan.push_rgba_rows(rows));
-    let light = scan.light().expect("room")?;
+    let light = scan.light()?;
     let mut even = bytes.to_vec();
     for (i, rows) in even.chunks_mut(4 * SIDE * 50).enumerate() {
         light.even(50 * i, rows);
@@ -201,8 +201,8 @@ fn small_pictures_and_transparent_ones_have_no_light() {
             .collect()
     };
     for (width, opacity) in [(1, 255), (90, 255), (256, 254), (256, 0)] {
-        let mut scan = LightScan::new(width, width);
+        let mut scan = LightScan::new(width, width).expect("room");
         scan.push_rgba_rows(&ramp(width, opacity));
-        assert!(scan.light().expect("room").is_none(), "{width} pixels, opacity {opacity}");
+        assert!(scan.light().is_none(), "{width} pixels, opacity {opacity}");
     }
 }

@@ -98,7 +98,7 @@ impl Job {
             return Ok(true);
         }
         if let Some(scan) = self.light_scan.take() {
-            self.light = scan.light()?;
+            self.light = scan.light();
             if self.light.is_some() {
                 self.begin()?;
                 return Ok(true);

@@ -70,7 +70,7 @@ pub fn trace_open(count: u32) -> i32 {
             scan.end();
         }
         // Colours that are given are meant as they are.
-        let light_scan = (most_colors > 0).then(|| LightScan::new(width, height));
+        let light_scan = (most_colors > 0).then(|| LightScan::new(width, height)).transpose()?;
         let light = None;
         let mut job = Box::new(Job {
             size,

@@ -67,9 +67,9 @@ export interface TraceOptions {
   /**
    * A picture of a few flat colours: how many at most, 2 … 64, are looked for, or which they are, 1 to 64 as "#rrggbb"
    * or "#rgb". Each becomes a layer, and layers lie on one another without gaps. They are opaque: what is translucent,
-   * and the same all around, has the colour that it has on white. Where they are looked for, and light falls unevenly on
-   * the picture, they are as where most light falls; colours that are given are meant as they are. Default: ink on paper, which `source`, `threshold`
-   * and `invert` are about: beside `colors` they are E_RANGE.
+   * and the same all around, has the colour that it has on white. Where they are looked for and light falls unevenly,
+   * they are as where most light falls; colours that are given are meant as they are. Default: ink on paper, which
+   * `source`, `threshold` and `invert` are about: beside `colors` they are E_RANGE.
    */
   colors?: number | readonly string[] | undefined;
   /** Which fit follows a contour: the sparsest spline, the default, or the weighted quasi-interpolant. */

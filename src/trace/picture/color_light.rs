@@ -1,4 +1,4 @@
-//! Uneven light on pictures of flat colours: the same colour is darker where less light falls on it (D 14.34).
+//! Uneven light on pictures of flat colours: the same colour is darker where less light falls on it (D 14.30).
 
 mod evidence;
 mod field;
@@ -8,6 +8,7 @@ use self::evidence::lights;
 use self::field::{CELLS, Field, corners};
 use self::patches::{Patch, Patches};
 use crate::error::Result;
+use crate::limits::with_room;
 
 /// Pixels that are averaged, if they are alike.
 const RUN: usize = 8;
@@ -56,14 +57,20 @@ pub struct ColorLight {
 impl LightScan {
     /// Begins a picture of that many columns and rows. In less than about a hundred pixels along a side no light is
     /// looked for.
-    pub fn new(width: usize, height: usize) -> Self {
+    ///
+    /// # Errors
+    ///
+    /// No memory: it needs 110 kB at most.
+    pub fn new(width: usize, height: usize) -> Result<Self> {
         let tile = width.max(height).div_ceil(TILES * RUN).max(2) * RUN;
         let mut tiles = [width / tile, height / tile];
         if tiles[0].min(tiles[1]) < FEWEST {
             tiles = [0, 0];
         }
-        let found = vec![Runs::default(); KEPT * tiles[0] * tiles[1]];
-        Self { size: [width, height], tile, tiles, row: 0, looked: 0.0, found }
+        let count = KEPT * tiles[0] * tiles[1];
+        let mut found = with_room(count)?;
+        found.resize(count, Runs::default());
+        Ok(Self { size: [width, height], tile, tiles, row: 0, looked: 0.0, found })
     }
 
     /// More rows, from red, green, blue and opacity, a byte each.
@@ -82,14 +89,10 @@ impl LightScan {
     /// The light, once all rows are there; none where it is even, and where it is not clear that what varies is light:
     /// large gradients of one colour, photographs.
     ///
-    /// # Errors
-    ///
-    /// No memory, for less than 20,000 numbers.
-    ///
     /// # Cost
     ///
     /// That of solving 81 equations some 20 times, where a large area varies.
-    pub fn light(&self) -> Result<Option<ColorLight>> {
+    pub fn light(&self) -> Option<ColorLight> {
         let whole = self.looked.max(1.0);
         let each = (self.tile / RUN * self.tile / EVERY) as f64;
         let patches = self.found.chunks_exact(KEPT).enumerate().flat_map(|(tile, runs)| {
@@ -102,12 +105,11 @@ impl LightScan {
             })
         });
         let patches = Patches::new(patches.collect(), self.tiles, whole / each);
-        let Some(fields) = lights(&patches) else { return Ok(None) };
-        let gains = fields.map(|field| {
+        let gains = lights(&patches)?.map(|field| {
             let most = patches.list.iter().fold(f64::MIN, |most, patch| most.max(field.at(patch.place)));
             Field(field.0.iter().map(|v| libm::exp((most - v).clamp(0.0, MOST_GAIN))).collect())
         });
-        Ok(Some(ColorLight { size: self.size, gains }))
+        Some(ColorLight { size: self.size, gains })
     }
 
     fn look(&mut self, row: &[u8]) {
