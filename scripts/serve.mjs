@@ -2,7 +2,7 @@
 
 import { createServer } from "node:http";
 import { readFile } from "node:fs/promises";
-import { extname, join, normalize, sep } from "node:path";
+import { basename, extname, join, normalize, sep } from "node:path";
 import { gzipSync } from "node:zlib";
 
 const TYPES = {
@@ -26,10 +26,16 @@ export const POLICY =
 const FIRST_PORT = 4173;
 const PORTS_TRIED = 50;
 
-function fileOf(folder, url) {
+/** What the playground runs other people's code in has no origin, even where it is opened by itself. */
+const SANDBOX = { file: "sandbox.html", policy: "sandbox allow-scripts; frame-ancestors 'self'" };
+
+/** The file of an address: below `beside`'s names in their folders, otherwise in `folder`. */
+function fileOf(folder, beside, url) {
   const path = decodeURIComponent(new URL(url, "http://localhost").pathname);
-  const file = normalize(join(folder, path.endsWith("/") ? `${path}index.html` : path));
-  return file.startsWith(folder + sep) ? file : undefined;
+  const name = Object.keys(beside).find((each) => path.startsWith(`/${each}/`));
+  const [from, rest] = name === undefined ? [folder, path] : [beside[name], path.slice(name.length + 1)];
+  const file = normalize(join(from, rest.endsWith("/") ? `${rest}index.html` : rest));
+  return file.startsWith(from + sep) ? file : undefined;
 }
 
 /** What was compressed before, by file: a page of a test asks for the same as the one before it. */
@@ -43,15 +49,20 @@ function gzipped(file, body) {
   return gzip;
 }
 
-async function answer(folder, policy, request, response) {
+async function answer({ folder, beside, policy }, request, response) {
   if (request.method !== "GET" && request.method !== "HEAD") {
     response.writeHead(405, { Allow: "GET, HEAD" }).end();
+    return;
+  }
+  const name = Object.keys(beside).find((each) => request.url === `/${each}`);
+  if (name !== undefined) {
+    response.writeHead(308, { Location: `/${name}/` }).end();
     return;
   }
   let body;
   let file;
   try {
-    file = fileOf(folder, request.url);
+    file = fileOf(folder, beside, request.url);
     body = await readFile(file);
   } catch {
     response.writeHead(404, { "Content-Type": "text/plain; charset=utf-8" }).end("not found\n");
@@ -59,7 +70,7 @@ async function answer(folder, policy, request, response) {
   }
   const type = TYPES[extname(file)] ?? "application/octet-stream";
   const headers = { "Content-Type": type, "Cache-Control": "no-cache", "X-Content-Type-Options": "nosniff", Vary: "Accept-Encoding" };
-  if (policy && type.startsWith("text/html")) headers["Content-Security-Policy"] = policy;
+  if (policy && type.startsWith("text/html")) headers["Content-Security-Policy"] = basename(file) === SANDBOX.file ? SANDBOX.policy : policy;
   if (/\bgzip\b/.test(request.headers["accept-encoding"] ?? "") && !/^image\/png/.test(type)) {
     headers["Content-Encoding"] = "gzip";
     body = gzipped(file, body);
@@ -70,10 +81,10 @@ async function answer(folder, policy, request, response) {
 
 /**
  * Serves a folder and gives back its address and a way to stop. `port` 0 is any free one; otherwise the first free
- * one from `port` on.
+ * one from `port` on. `beside` has other folders that are served with it, by the name below which they are.
  */
-export async function serve(folder, { port = FIRST_PORT, policy = POLICY } = {}) {
-  const server = createServer((request, response) => void answer(folder, policy, request, response));
+export async function serve(folder, { port = FIRST_PORT, policy = POLICY, beside = {} } = {}) {
+  const server = createServer((request, response) => void answer({ folder, beside, policy }, request, response));
   const listen = (candidate) =>
     new Promise((resolve, reject) => {
       server.once("error", reject).listen(candidate, "127.0.0.1", () => {

@@ -12,15 +12,16 @@ import { installPacked } from "./packed.mjs";
 import { testNative, testWasmInChromium, testWasmInNode } from "./rust-tests.mjs";
 import { serve } from "./serve.mjs";
 import { setUp } from "./setup.mjs";
+import { SITE, buildSite } from "./site.mjs";
 import { checkSize } from "./sizes.mjs";
 import { StepError, at, door, run, seconds, step } from "./steps.mjs";
 import { checkTree } from "./tree.mjs";
 import { buildXtask } from "./wasm.mjs";
 
 const TARGET = ["--target", "wasm32-unknown-unknown"];
-const GROUPS = ["rust", "wasm", "js", "package", "www", "demo"];
+const GROUPS = ["rust", "wasm", "js", "package", "www", "demo", "site"];
 /** Groups of test files that can be run one by one; cargo has ways of its own. */
-const FILES = ["js", "package", "www", "demo"];
+const FILES = ["js", "package", "www", "demo", "site"];
 
 const total = { passed: 0, failed: 0, failedSteps: [] };
 
@@ -116,6 +117,18 @@ async function demo(parts) {
   }
 }
 
+async function site(parts) {
+  await check("types of the site", tsc("site/tsconfig.json"));
+  await buildDemo();
+  await buildSite();
+  const { url, close } = await serve(at("www", "dist"), { port: 0, beside: { docs: at(SITE) } });
+  try {
+    await suite("the documentation in Chromium", () => testNode("tests/site", "build/tests/site", { parts, env: { SITE_URL: `${url}docs/` } }));
+  } finally {
+    await close();
+  }
+}
+
 /** A group, or a part of the names of a group's test files: "demo", "demo/curve". */
 function readAsked(text) {
   const [group, part] = text.split("/", 2);
@@ -144,6 +157,7 @@ await door(async () => {
   if (wanted("package")) await packaged(parts("package"));
   if (wanted("www")) await www(parts("www"));
   if (wanted("demo")) await demo(parts("demo"));
+  if (wanted("site")) await site(parts("site"));
   console.log(`\n${seconds(start)} in all`);
   if (total.failedSteps.length > 0) console.log(`✗ failed: ${total.failedSteps.join("; ")}`);
   console.log(`${total.passed} passed, ${total.failed} failed`);

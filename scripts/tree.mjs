@@ -12,7 +12,7 @@ const WIDEST = 120;
 const COMMENT = /^\s*(\/\/|\/\*|\*)(?!.*https?:)/;
 const SOURCE = /\.(rs|ts|mjs|mts|css)$/;
 /** What is run in a fresh clone, where no package is installed yet. */
-const DOORS = ["start", "test", "build", "bench", "bench-trace"].map((name) => `scripts/${name}.mjs`);
+const DOORS = ["start", "test", "build", "bench", "bench-trace", "docs"].map((name) => `scripts/${name}.mjs`);
 
 /** Packages that a door imports before it has installed any, directly or through other scripts. */
 function earlyPackages() {
@@ -50,7 +50,7 @@ function lostWays(documents) {
       if (!existsSync(at(file))) found.push(`${document} links to ${target}, which is not there`);
       else if (anchor !== undefined && !anchorsOf(readFileSync(at(file), "utf8")).includes(anchor)) found.push(`${document} links to ${target}: there is no such heading`);
     }
-    for (const [, path] of text.matchAll(/`((?:src|ts|cli|tests|www|scripts|bench|docs|examples)\/[\w./-]*)`/g)) {
+    for (const [, path] of text.matchAll(/`((?:src|ts|cli|tests|www|site|scripts|bench|docs|examples)\/[\w./-]*)`/g)) {
       if (!existsSync(at(path))) found.push(`${document} names ${path}, which is not there`);
     }
   }
