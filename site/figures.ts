@@ -3,6 +3,12 @@ import type { Mount } from "./figures/stage.ts";
 
 const FIGURES: Readonly<Record<string, () => Promise<{ mount: Mount }>>> = {
   circle: () => import("./figures/circle.ts"),
+  fit: () => import("./figures/fit.ts"),
+  handles: () => import("./figures/handles.ts"),
+  interpolating: () => import("./figures/interpolating.ts"),
+  refine: () => import("./figures/refine.ts"),
+  surface: () => import("./figures/surface.ts"),
+  trace: () => import("./figures/trace.ts"),
 };
 
 const NEAR = "300px";

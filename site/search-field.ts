@@ -1,4 +1,4 @@
-/** The field of the search: a list of hits below it, gone through by arrow keys. The index comes with the first focus. */
+/** The field of the search: hits below it, gone through by arrow keys. The index comes with the first focus. */
 import type { Found } from "./search.ts";
 
 const MOST = 12;

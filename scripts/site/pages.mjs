@@ -46,9 +46,9 @@ function benchmarks() {
 
 const PLAYGROUND = `# Playground
 
-Code on the left, what its \`export default\` draws on the right: curves, path data, points, SVG, or a list of these.
+Code, and what its \`export default\` is, drawn: curves, surfaces, path data, points, SVG, or a list of these.
 
-<div id="playground"><noscript>The playground needs JavaScript.</noscript></div>
+<div class="play"><noscript>The playground needs JavaScript.</noscript></div>
 
 It runs in a frame that has no part in this page, in nothing it has stored, and in no network; after ten seconds it is stopped. A link holds the code itself, and runs nothing before you press Run.
 `;

@@ -7,13 +7,14 @@ import { type Mount, controls, drawing, line, marks, polyline, slider, words } f
 const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [100, 100], count: 2 });
 
 const h = 55.1915; // the handles of the best four cubic Béziers
-const [bezier] = parsePath(`M100 0C100 ${h} ${h} 100 0 100S-100 ${h} -100 0 -${h} -100 0 -100 100 -${h} 100 0Z`);
+const arcs = `C100 ${h} ${h} 100 0 100S-100 ${h} -100 0 -${h} -100 0 -100 100 -${h} 100 0`;
+const [bezier] = parsePath(`M100 0${arcs}Z`);
 
+/** How far a curve is from the circle, in parts of its radius. */
 const error = (curve: HermiteCurve) => {
   const points = curve.sample(720);
-  let largest = 0;
-  for (let i = 0; i < points.length; i += 2) largest = Math.max(largest, Math.abs(Math.hypot(points[i]!, points[i + 1]!) - 100));
-  return largest / 100; // in parts of the radius
+  const off = (_: unknown, i: number) => Math.abs(Math.hypot(points[2 * i]!, points[2 * i + 1]!) / 100 - 1);
+  return Math.max(...Array.from({ length: 720 }, off));
 };
 // end of shown
 

@@ -29,7 +29,7 @@ export function line(svg: SVGElement, look: string): (d: string) => void {
 export function polyline(points: ArrayLike<number>, closed = false): string {
   let d = "";
   for (let i = 0; i < points.length; i += 2) d += `${i === 0 ? "M" : "L"}${points[i]?.toFixed(2)} ${points[i + 1]?.toFixed(2)}`;
-  return closed ? `${d}Z` : d;
+  return closed && d !== "" ? `${d}Z` : d;
 }
 
 /** Where a pointer is, in the unit of the drawing. */
@@ -142,6 +142,17 @@ export function slider(row: HTMLElement, name: string, range: { min: number; max
   label.append(name, input, output);
   row.append(label);
   return () => input.valueAsNumber;
+}
+
+/** One of a few words; gives back how to ask for it. */
+export function choice<T extends string>(row: HTMLElement, name: string, all: readonly T[], changed: () => void = () => undefined): () => T {
+  const label = document.createElement("label");
+  const select = document.createElement("select");
+  select.append(...all.map((each) => new Option(each)));
+  select.addEventListener("change", changed);
+  label.append(name, select);
+  row.append(label);
+  return () => select.value as T;
 }
 
 export function button(row: HTMLElement, name: string, pressed: () => void): HTMLButtonElement {

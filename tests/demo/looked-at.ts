@@ -10,8 +10,8 @@ export interface Finding {
 }
 
 /**
- * Interactive elements that are shown and have no name, or a box below 24 × 24; canvases and pictures without a text. Links
- * in `sentences` are as high as their lines.
+ * Interactive elements that are shown and have no name, or a box below 24 × 24; canvases and pictures without a text.
+ * Links in `sentences` are as high as their lines.
  */
 export function namesAndTargets(page: Page, sentences = "p"): Promise<Finding[]> {
   return page.evaluate((inText) => {
