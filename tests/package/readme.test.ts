@@ -11,13 +11,11 @@ import { gzipSync } from "node:zlib";
 import { transform } from "esbuild";
 
 import { type Recorded, inserted } from "../../bench/tables.mjs";
-import { CONSUMER, runs } from "./snippet.ts";
+import { CONSUMER, runs, snippetsIn } from "./snippet.ts";
 
 const text = readFileSync(join(process.cwd(), "README.md"), "utf8");
 
-function snippets(language: string): string[] {
-  return [...text.matchAll(new RegExp(`^\`\`\`${language}\\n([\\s\\S]*?)^\`\`\`$`, "gm"))].map(([, code]) => code ?? "");
-}
+const snippets = (language: string): string[] => snippetsIn(text, language);
 
 for (const [i, code] of snippets("js").entries()) {
   test(`snippet ${i + 1} of the README runs, and prints what it says`, () => {

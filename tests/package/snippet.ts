@@ -7,6 +7,11 @@ import { join } from "node:path";
 
 export const CONSUMER = join(process.cwd(), "build", "consumer");
 
+/** The blocks of a document that are code of a language. */
+export function snippetsIn(text: string, language: string): string[] {
+  return [...text.matchAll(new RegExp(`^\`\`\`${language}\\n([\\s\\S]*?)^\`\`\`$`, "gm"))].map(([, code]) => code ?? "");
+}
+
 /** Runs a module there. Where a line says `console.log(…); // → text`, it has to print that text. */
 export function runs(name: string, code: string): void {
   const file = join(CONSUMER, `${name}.mjs`);

@@ -44,7 +44,7 @@ test("the reference has every name of the interface, and none that only the pack
 
 /** Where links stand among words. */
 const SENTENCES = "p, td, main li";
-const LOOKED_AT = ["", "getting-started.html", "concepts.html", "api/index.html", "api/classes/HermiteCurve.html", "api/interfaces/SparseFitOptions.html", "benchmarks.html", "changelog.html"];
+const LOOKED_AT = ["", "getting-started.html", "recipes.html", "trace.html", "api/index.html", "api/classes/HermiteCurve.html", "api/interfaces/SparseFitOptions.html", "benchmarks.html", "changelog.html"];
 
 for (const path of LOOKED_AT) {
   for (const [width, colorScheme] of [[1280, "light"], [1280, "dark"], [320, "light"]] as const) {
