@@ -92,6 +92,8 @@ export function grip(svg: SVGSVGElement, kind: string, name: string, moved: (pla
     group.setAttribute("aria-label", `${name}, x ${Math.round(x)}, y ${Math.round(y)}. Arrow keys move it.`);
   };
   let offset: Place | undefined;
+  // A finger that drags it does not scroll the page: a group has no box on which `touch-action` would say so.
+  group.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
   group.addEventListener("pointerdown", (event) => {
     const at = placeOf(svg, event);
     offset = [x - at[0], y - at[1]];

@@ -15,26 +15,37 @@ const traced = (picture: ImageLike) => {
 // end of shown
 
 const SIZE = 40;
-const PICTURES: Readonly<Record<string, (x: number, y: number) => number>> = {
-  /** How far a place is inside the ink, in pixels. */
-  "ring and flash": (x, y) => Math.max(Math.min(15 - Math.hypot(x - 20, y - 20), Math.hypot(x - 20, y - 20) - 10.5), Math.min(flash(x, y), 15)),
-  square: (x, y) => Math.min(x - 9.3, 30.6 - x, y - 8.7, 29.9 - y),
-  moon: (x, y) => Math.min(14.5 - Math.hypot(x - 20, y - 20), Math.hypot(x - 26, y - 17) - 11),
+/** Samples of a pixel along each side: what part of it is ink is its shade. */
+const FINE = 8;
+
+const isInDisc = (x: number, y: number, [cx, cy]: Place, r: number): boolean => Math.hypot(x - cx, y - cy) < r;
+
+/** A slanted bar. */
+function isInBar(x: number, y: number): boolean {
+  const [along, across] = [(x - 20) * 0.35 + (y - 20) * 0.94, (x - 20) * 0.94 - (y - 20) * 0.35];
+  return Math.abs(along) < 7.5 && Math.abs(across) < 3.2;
+}
+
+/** Where there is ink. */
+const PICTURES: Readonly<Record<string, (x: number, y: number) => boolean>> = {
+  "ring and bar": (x, y) => (isInDisc(x, y, [20, 20], 15) && !isInDisc(x, y, [20, 20], 10.5)) || isInBar(x, y),
+  square: (x, y) => x > 9.3 && x < 30.6 && y > 8.7 && y < 29.9,
+  moon: (x, y) => isInDisc(x, y, [20, 20], 14.5) && !isInDisc(x, y, [26, 17], 11),
 };
 
-/** Inside of a slanted bar. */
-function flash(x: number, y: number): number {
-  const along = (x - 20) * 0.35 + (y - 20) * 0.94;
-  const across = Math.abs((x - 20) * 0.94 - (y - 20) * 0.35);
-  return Math.min(7.5 - Math.abs(along), 3.2 - across);
-}
-
 function painted(name: string): Uint8ClampedArray {
-  const inside = PICTURES[name] ?? (() => 0);
-  return Uint8ClampedArray.from({ length: SIZE * SIZE }, (_, i) => 255 * (0.5 - inside((i % SIZE) + 0.5, Math.floor(i / SIZE) + 0.5)));
+  const isInk = PICTURES[name] ?? (() => false);
+  return Uint8ClampedArray.from({ length: SIZE * SIZE }, (_, i) => {
+    let ink = 0;
+    for (let k = 0; k < FINE * FINE; k += 1) {
+      const [x, y] = [(i % SIZE) + ((k % FINE) + 0.5) / FINE, Math.floor(i / SIZE) + (Math.floor(k / FINE) + 0.5) / FINE];
+      if (isInk(x, y)) ink += 1;
+    }
+    return 255 * (1 - ink / (FINE * FINE));
+  });
 }
 
-/** A round brush with a soft edge, of ink or, with Shift or a second touch of the button, of paper. */
+/** A round brush with a soft edge, of ink or of paper; Shift takes the other one. */
 function brush(data: Uint8ClampedArray, [x, y]: Place, ink: boolean): void {
   for (let i = 0; i < data.length; i += 1) {
     const covers = Math.min(1, Math.max(0, 2.7 - Math.hypot((i % SIZE) + 0.5 - x, Math.floor(i / SIZE) + 0.5 - y)));

@@ -24,7 +24,7 @@ export function useSite(): (t: TestContext, path?: string, options?: BrowserCont
   });
   return async (t, path = "", options = {}) => {
     assert.ok(browser !== undefined && SITE_URL !== "", "the browser is started and SITE_URL names the served site");
-    const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: 1, ...options });
+    const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: 1, reducedMotion: "reduce", ...options });
     t.after(() => context.close());
     const page = await context.newPage();
     const complaints: string[] = [];
