@@ -1,5 +1,5 @@
 // The site's own code and styles: bundled with the package as a user's bundler would, so that a page loads what its
-// figures import and no more. That takes a bundler that looks through the module which names all others, as Vite's does.
+// figures import and no more. That takes a bundler that looks through the module of all names, as Vite's.
 
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-/** What the page, the frame and the worker say to each other. The page believes nothing of what it hears but its form. */
+/** What the page, the frame and the worker say to each other. The page checks the form of what it hears. */
 
 /** One thing that is drawn. */
 export type Drawn =

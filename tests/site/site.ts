@@ -39,7 +39,7 @@ export function useSite(): (t: TestContext, path?: string, options?: BrowserCont
   };
 }
 
-/** All pages that links lead to from the first one, as paths from the site's root: what they name by `id`, links, text. */
+/** All pages that links lead to from the first one, by their paths: what they name by `id`, their links, their text. */
 export async function crawled(): Promise<{ pages: Map<string, { ids: Set<string>; links: string[]; html: string }>; lost: string[] }> {
   const pages = new Map<string, { ids: Set<string>; links: string[]; html: string }>();
   const lost: string[] = [];

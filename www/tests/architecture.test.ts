@@ -100,8 +100,8 @@ function inCircles(arrows: ReadonlyMap<string, readonly string[]>): string[] {
   }
 }
 
-test("no files import each other, by whatever way round, neither the demo's nor the package's", () => {
-  for (const folder of [source, "ts"]) {
+test("no files import each other, by whatever way round, neither the demo's nor the package's nor the documentation's", () => {
+  for (const folder of [source, "ts", "site"]) {
     const files = filesUnder(folder, ".ts");
     const near = (file: string): string[] => importsOf(file).filter((name) => name.startsWith("."));
     // The package names its files as they will be called.
@@ -126,6 +126,30 @@ test("only the kernel imports the library, only the shaded view the 3-D library,
     }
   }
   assert.deepEqual(strays, []);
+});
+
+/** The documentation's own code: what its rooms may import of each other, and which packages. */
+const siteAllowed: Readonly<Record<string, { readonly rooms: readonly string[]; readonly packages: RegExp }>> = {
+  page: { rooms: ["figures"], packages: /^minisearch$/ },
+  figures: { rooms: [], packages: /^expline$/ },
+  playground: { rooms: ["figures"], packages: /^(?:expline$|@codemirror\/|@lezer\/)/ },
+};
+
+test("the documentation's figures know the package by its name alone, and nothing else of the clone", () => {
+  const strays: string[] = [];
+  const roomOfSite = (file: string): string => /^site\/(figures|playground)\//.exec(file)?.[1] ?? "page";
+  for (const file of filesUnder("site", ".ts")) {
+    const { rooms, packages } = siteAllowed[roomOfSite(file)] ?? { rooms: [], packages: /^$/ };
+    for (const name of importsOf(file)) {
+      const target = join(file, "..", name);
+      const room = roomOfSite(target);
+      const isAllowed = name.startsWith(".") ? target.startsWith("site/") && (room === roomOfSite(file) || rooms.includes(room)) : packages.test(name);
+      if (!isAllowed) strays.push(`${file}: ${name}`);
+    }
+  }
+  assert.deepEqual(strays, []);
+  const styles = filesUnder("site/styles", ".css").map((file) => readFileSync(file, "utf8")).join("\n");
+  assert.doesNotMatch(styles, /#[0-9a-f]{3,8}\b(?![^{]*\{)|\b(?:rgb|hsl|oklch)a?\(/i, "colours are tokens");
 });
 
 test("every custom property that a style sheet uses is set by one, or by the program", () => {
