@@ -5,6 +5,7 @@ import { test } from "node:test";
 
 import { ExplineError, type HermiteCurve, evenLight, traceImage, traceImageAsync } from "expline";
 
+import { random } from "./fit-data.ts";
 import { type Drawn, inCircle, painted, ring } from "./trace-data.ts";
 
 const SIDE = 200;
@@ -61,4 +62,29 @@ test("evenLight refuses what is no picture, by name", () => {
 test("a threshold that is given is meant for the shades as they are", () => {
   const dark = traceImage(sheet(fromTheLeft), { threshold: 128 });
   assert.ok(dark.contours.some(({ curve }) => curve.bounds().maxX > SIDE - 1), "the dark side counts as ink");
+});
+
+/** Two circles and a band of other colours on a board, with a little noise as a camera has. */
+function pens(light: Light): Drawn {
+  const next = random(3);
+  const noise = (): number => 4 * (next() + next() + next() - 1.5);
+  return painted(320, 240, (x, y) => {
+    const fell = light((x * SIDE) / 320, (y * SIDE) / 240);
+    const [red, green] = [inCircle(x, y, 100.3, 90.7, 60) - inCircle(x, y, 100.3, 90.7, 52), inCircle(x, y, 230.2, 80.4, 40)];
+    const blue = Math.abs(y + 0.5 - 190) < 8 && x > 30 && x < 290 ? 1 : 0;
+    const shade = ([board, r, g, b]: readonly [number, number, number, number]): number =>
+      fell * (board + red * (r - board) + green * (g - board) + blue * (b - board)) + noise();
+    return [shade([236, 200, 30, 40]), shade([238, 40, 150, 60]), shade([240, 40, 70, 190]), 255];
+  });
+}
+
+test("pens on a board in uneven light are a layer each, as in even light, at once and in tasks", async () => {
+  const even = traceImage(pens(() => 1), { colors: 5 });
+  for (const light of [fromTheLeft, (x: number, y: number) => Math.exp(-1.1 * ((x / SIDE - 0.3) ** 2 + (y / SIDE - 0.3) ** 2))]) {
+    const picture = pens(light);
+    const drawing = traceImage(picture, { colors: 5 });
+    assert.equal(drawing.layers?.length, 4, "a board and three pens");
+    assert.equal(drawing.contours.length, even.contours.length, "without the light there were hundreds");
+    assert.equal((await traceImageAsync(picture, { colors: 5 })).toSvg(), drawing.toSvg());
+  }
 });

@@ -41,7 +41,7 @@ impl Sparsest {
     pub(super) fn may_slide(&self) -> bool {
         let Some(best) = &self.found else { return false };
         let breaks = &best.spline.space.breaks;
-        let has_knots = breaks.degree > 1 && breaks.len() > 0;
+        let has_knots = breaks.degree > 1 && !breaks.is_empty();
         let noisy = matches!(self.asked.aim, Aim::Noise(_)) && !self.asked.timed;
         noisy && has_knots && !breaks.closed && best.wild.is_none()
     }
@@ -63,6 +63,7 @@ impl Sparsest {
 
     /// One polynomial where that costs less; else the best curve with points that slide, unless it has sharp corners of
     /// even points: where these are is told along the curve.
+    #[inline(never)]
     fn begin_sliding(&mut self) -> Phase {
         let Some(best) = &self.found else { return Phase::Done };
         let breaks = best.spline.space.breaks.clone();
@@ -93,6 +94,7 @@ impl Sparsest {
     }
 
     /// The fit on some breaks that slide a little, after which the points slide.
+    #[inline(never)]
     fn slid(&self, breaks: Breaks, mut located: Located) -> (Spline, Located, f64) {
         let worth = EASILY * self.pricing.price.0;
         let mut spline = Spline::of(&settle(FreeKnots::new(breaks, &located), &located, worth, SLIDES));
@@ -101,6 +103,7 @@ impl Sparsest {
     }
 
     /// The same from this curve on.
+    #[inline(never)]
     fn slide_on(&mut self, spline: Spline, located: Located, squares: f64, begun: f64) -> Phase {
         let fitted = FreeKnots::new(spline.space.breaks.clone(), &located);
         // Whatever a knot costs, the cheapest are tried.
@@ -111,6 +114,7 @@ impl Sparsest {
     }
 
     /// What was slid to, if it spares enough, with all points, and those that are even placed by length again.
+    #[inline(never)]
     fn end_sliding(&mut self) -> Phase {
         let Some(sliding) = self.sliding.take() else { return Phase::Done };
         if sliding.begun - self.cost_of(&sliding) < PAYS * self.pricing.price.0 {

@@ -66,12 +66,14 @@ fn largest_that_varies(patches: &Patches) -> Option<usize> {
 }
 
 /// What all channels differ by, in those regions.
+#[inline(never)]
 fn differences(patches: &Patches, takes: &dyn Fn(usize) -> bool) -> Vec<Difference> {
     let own = patches.links.iter().filter(|link| takes(patches.list[link[0]].region));
     own.flat_map(|&link| (0..3).filter_map(move |channel| patches.difference(link, channel))).collect()
 }
 
 /// The light of one channel: the light, and what its hue adds.
+#[inline(never)]
 fn with_hue(patches: &Patches, light: &Field, channel: usize) -> Field {
     let mut own: Vec<Difference> =
         patches.links.iter().filter_map(|&link| patches.difference(link, channel)).collect();

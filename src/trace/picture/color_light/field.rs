@@ -28,6 +28,7 @@ pub(super) struct Difference {
 
 impl Field {
     /// The field that explains the differences and bends little. A robust fit: most differences have to agree.
+    #[inline(never)]
     pub(super) fn fitted(differences: &[Difference], stiffness: f64) -> Self {
         let mut field = Self(vec![0.0; NODES]);
         let whole: f64 = differences.iter().map(|difference| difference.weight).sum();
@@ -57,6 +58,7 @@ impl Field {
         field
     }
 
+    #[inline(never)]
     pub(super) fn at(&self, place: [f64; 2]) -> f64 {
         corners(place).iter().map(|&(node, share)| share * self.0[node]).sum()
     }

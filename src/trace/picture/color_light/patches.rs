@@ -62,6 +62,7 @@ impl Patches {
         }
     }
 
+    #[inline(never)]
     fn nearest(&self, patch: &Patch, tile: usize) -> Option<usize> {
         let (mut best, mut least) = (None, STEP);
         for other in self.starts[tile]..self.starts[tile + 1] {
@@ -89,6 +90,7 @@ impl Patches {
     }
 
     /// What the logarithm of a channel differs by along a link; dark ones say nothing.
+    #[inline(never)]
     pub(super) fn difference(&self, [from, to]: [usize; 2], channel: usize) -> Option<Difference> {
         let [from, to] = [&self.list[from], &self.list[to]];
         let (a, b) = (from.color[channel], to.color[channel]);
