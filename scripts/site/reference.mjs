@@ -27,6 +27,7 @@ const OPTIONS = {
   hideGenerator: true,
   hideBreadcrumbs: true,
   hidePageHeader: true,
+  indexFormat: "table",
   parametersFormat: "none",
   interfacePropertiesFormat: "table",
   typeDeclarationFormat: "table",

@@ -2,10 +2,12 @@
 import { shape } from "../figures/stage.ts";
 import type { Drawn } from "./messages.ts";
 
-/** Around the drawing, and the radii of dots, in parts of its size. */
+/** Around the drawing, and the radii of dots, of many points and of few or knots, in parts of its size. */
 const MARGIN = 0.06;
 const DOT = 0.006;
 const KNOT = 0.011;
+/** So many points are many. */
+const MANY = 60;
 
 interface Box { x: number; y: number; width: number; height: number }
 
@@ -58,7 +60,7 @@ function sheet(host: HTMLElement, lines: readonly Lines[]): void {
   const size = Math.max(box.width, box.height) || 1;
   const margin = size * MARGIN;
   svg.setAttribute("viewBox", [box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin].join(" "));
-  for (const { path, line } of dots) path.setAttribute("d", discs(line.points, size * (line.areKnots ? KNOT : DOT)));
+  for (const { path, line } of dots) path.setAttribute("d", discs(line.points, size * (line.areKnots || line.points.length < 2 * MANY ? KNOT : DOT)));
 }
 
 export function showDrawn(host: HTMLElement, drawn: readonly Drawn[]): void {
