@@ -3,7 +3,7 @@ import { HermiteCurve, coordinate, finite, word, wrong } from "./core.js";
 import { type HandleSide, type Joint, THIRD, type Place, handleOf, jointAt, keptStraight, moved, notCurve, pointsOf, scaled, turn } from "./edit/edit-joints.js";
 
 export { hitTest } from "./edit/edit-hits.js";
-export type { Hit, HitOptions } from "./edit/edit-hits.js";
+export type { Hit, HitCurve, HitHandle, HitOptions, HitPoint } from "./edit/edit-hits.js";
 export type { HandleSide, Joint } from "./edit/edit-joints.js";
 
 /** Nearer to an end than this part of the segment, a handle has too little hold on the curve. */

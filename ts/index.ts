@@ -23,7 +23,7 @@ export type {
   SpacePointsLike,
 } from "./core.js";
 export { bendCurve, handlesOf, hitTest, jointOf, moveHandle, movePoint, tangentWeights } from "./edit.js";
-export type { HandleSide, Hit, HitOptions, Joint } from "./edit.js";
+export type { HandleSide, Hit, HitCurve, HitHandle, HitOptions, HitPoint, Joint } from "./edit.js";
 export { SparseFitter, fitSparse, fitSparseAll, fitSparseAllAsync, fitSparseAsync, initFit, initFitSync } from "./fit.js";
 export type { FitChange, FitProgress, FitStatus, FitStep, SparseFit, SparseFitAllOptions, SparseFitOptions, SparseFitStrength, SparseKnot } from "./fit.js";
 export { fromJSON } from "./json.js";

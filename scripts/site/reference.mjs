@@ -9,7 +9,7 @@ import { Application, LogLevel } from "typedoc";
 import { StepError, at } from "../steps.mjs";
 
 /** Types that only say what a parameter takes: an editor shows what they are. */
-const NAMELESS = ["Bytes", "CompiledModule", "FitterStrength", "HitCurve", "HitHandle", "HitPoint", "Nobodys", "Readable"];
+const NAMELESS = ["Bytes", "CompiledModule", "FitterStrength", "Nobodys", "Readable"];
 
 const OPTIONS = {
   name: "expline",
@@ -39,8 +39,8 @@ const OPTIONS = {
 };
 
 /**
- * A page without what its signatures say already (results, where a member was inherited from) and without the class
- * that only the package knows.
+ * A page without what its signatures say already (results, where a member was inherited from) and without the
+ * names that only the package knows.
  */
 function plain(text) {
   const kept = [];
@@ -56,7 +56,7 @@ function plain(text) {
   return kept
     .join("\n")
     .replaceAll("\\<`ArrayBufferLike`\\>", "")
-    .replace(/^## Extends\n+- `MeasuredCurve`\n+/m, "")
+    .replace(/^## Extends\n+- `(?:Found|MeasuredCurve)`\n+/m, "")
     .replace(/^#+ (?:Type Declaration|(?:Get|Set) Signature)\n+/gm, "")
     .replace(/ \| Inherited from \|\n\| (.*) \| ------ \|$/gm, " |\n| $1 |")
     .replace(/^(\| <a id="[^"]*"><\/a>.*) \| [^|]* \|$/gm, (row, before) => (text.includes("| Inherited from |") ? `${before} |` : row));

@@ -102,6 +102,15 @@ test("the search finds fitSparse, by keys alone, and leads to it", async (t) => 
   assert.deepEqual(complaints, []);
 });
 
+test("the demo's help leads here, beside the drawing that stays open", async (t) => {
+  const { page, complaints } = await open(t, "../");
+  await page.getByRole("button", { name: "Help" }).click();
+  const [documentation] = await Promise.all([page.waitForEvent("popup"), page.getByRole("link", { name: /documentation/ }).click()]);
+  await documentation.waitForLoadState();
+  assert.equal(await documentation.locator("h1").textContent(), "expline documentation");
+  assert.deepEqual(complaints, []);
+});
+
 test("code is copied as it stands", async (t) => {
   const { page } = await open(t, "api/functions/fitSparse.html", { permissions: ["clipboard-read", "clipboard-write"] });
   const block = page.locator(".code").first();

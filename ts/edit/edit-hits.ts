@@ -24,7 +24,7 @@ interface Found {
 }
 
 /** A point. */
-interface HitPoint extends Found {
+export interface HitPoint extends Found {
   /** What was hit. */
   kind: "point";
   /** The number of the point on its curve. */
@@ -32,7 +32,7 @@ interface HitPoint extends Found {
 }
 
 /** The end of a handle. */
-interface HitHandle extends Found {
+export interface HitHandle extends Found {
   /** What was hit. */
   kind: "handle";
   /** The number of the point that it is a handle of. */
@@ -42,7 +42,7 @@ interface HitHandle extends Found {
 }
 
 /** A place on a curve. */
-interface HitCurve extends Found {
+export interface HitCurve extends Found {
   /** What was hit. */
   kind: "curve";
   /** The parameter of the nearest place. */

@@ -87,6 +87,7 @@ export function openHelp({ editor }: Shell): void {
     ),
     h("div", { class: "settings" }, ...toggles),
     h("div", { class: "help-columns" }, gestureList, ...keyLists),
+    h("p", {}, "For an editor of your own: ", h("a", { href: "docs/", target: "_blank", rel: "noopener" }, "the documentation of expline"), ", with a playground."),
     h("p", { class: "quiet" }, "Everything runs on this page: no account, no cookies, nothing is sent anywhere. Your drawing stays in this browser until you clear it."),
   );
 }
