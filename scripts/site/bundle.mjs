@@ -2,7 +2,7 @@
 // figures import and no more. That takes a bundler that looks through the module of all names, as Vite's.
 
 import { createHash } from "node:crypto";
-import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 
 import { build } from "esbuild";
@@ -34,9 +34,12 @@ const NAMES = { entryFileNames: "[name].js", chunkFileNames: "[name]-[hash:8].js
 
 /** The scripts of the pages; gives back the files that they are made of. */
 async function writeScripts(assets) {
-  const input = Object.fromEntries(["page", "figures", "playground/playground"].map((name) => [basename(name), at("site", `${name}.ts`)]).filter(([, file]) => existsSync(file)));
+  const input = Object.fromEntries(["page", "figures", "playground/playground"].map((name) => [basename(name), at("site", `${name}.ts`)]));
   const { output } = await buildWithVite({
-    ...{ configFile: false, root: at("site"), logLevel: "warn", publicDir: false },
+    configFile: false,
+    root: at("site"),
+    logLevel: "warn",
+    publicDir: false,
     build: { outDir: assets, emptyOutDir: false, target: "es2022", modulePreload: false, chunkSizeWarningLimit: 600, rolldownOptions: { input, output: NAMES } },
   });
   return output.flatMap(({ modules }) => Object.keys(modules ?? {}));
@@ -57,10 +60,8 @@ export async function bundleSite(out) {
   const files = await writeScripts(assets);
   await build({ ...SHARED, entryPoints: [at("site/styles/page.css")], outdir: assets, entryNames: "[name]" });
   writeFileSync(join(assets, "early.js"), await text("site/early.ts", { format: "iife" }));
-  if (existsSync(at("site/playground/frame.ts"))) {
-    await writeFrame(assets);
-    writeFileSync(join(assets, "library.js"), await text("site/playground/library.ts"));
-    writeFileSync(join(assets, "worker.js"), await text("site/playground/worker.ts", { format: "iife" }));
-  }
+  await writeFrame(assets);
+  writeFileSync(join(assets, "library.js"), await text("site/playground/library.ts"));
+  writeFileSync(join(assets, "worker.js"), await text("site/playground/worker.ts", { format: "iife" }));
   writeFileSync(join(out, "licences.txt"), licencesOf(files));
 }
