@@ -10,6 +10,7 @@ import { levelling, renewing } from "../src/editor/curve/on-demand.ts";
 import type { Editor, Modifiers } from "../src/editor/editor.ts";
 import type { PointerKind } from "../src/editor/pointer/hit-test.ts";
 import { createPointerInput, type PointerInput } from "../src/editor/pointer/pointer-input.ts";
+import type { PointerRecord } from "../src/editor/pointer/pointer-record.ts";
 import { registerStandardActions } from "../src/editor/actions/standard-actions.ts";
 import { contourFrom } from "../src/kernel/curve/points/contours.ts";
 import { samplePoints } from "../src/kernel/curve/samples.ts";
@@ -162,4 +163,20 @@ export function handOf(contours: readonly Contour[]): Hand {
   hand.editor.setState(hand.editor.getState(), { fresh: true });
   hand.editor.setSettings({ snap: false });
   return hand;
+}
+
+/** What a finger says. */
+export function touch(id: number, x: number, y: number, time: number): PointerRecord {
+  return { id, kind: "touch", button: 0, screen: { x, y }, modifiers: { shift: false, alt: false, mod: false }, time };
+}
+
+/** Two fingers that begin 40 pixels from each other, at a time, and spread to three times that. */
+export function spread(input: PointerInput, from: number): void {
+  input.down(touch(1, 280, 300, from));
+  input.down(touch(2, 320, 300, from + 40));
+  for (let i = 1; i <= 10; i += 1) {
+    input.move(touch(1, 280 - 4 * i, 300, from + 40 + 16 * i));
+    input.move(touch(2, 320 + 4 * i, 300, from + 41 + 16 * i));
+    input.flush();
+  }
 }

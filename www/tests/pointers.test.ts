@@ -6,26 +6,16 @@ import { constrained, snapHandle, snapPlace, turnedBySteps } from "../src/editor
 import { fitted, toPage, toScreen, zoomedAt } from "../src/editor/pointer/camera.ts";
 import type { PointerRecord } from "../src/editor/pointer/pointer-record.ts";
 import { nothingSelected } from "../src/document/document.ts";
-import { Hand } from "./harness.ts";
+import { Hand, spread, touch } from "./harness.ts";
 
 const none = { shift: false, alt: false, mod: false };
-
-function touch(id: number, x: number, y: number, time: number): PointerRecord {
-  return { id, kind: "touch", button: 0, screen: { x, y }, modifiers: none, time };
-}
 
 test("two fingers pinch about their middle, and edit nothing", () => {
   const hand = new Hand("circle-8");
   const { input, editor } = hand;
   const before = editor.state.value;
   const anchor = toPage(before.view, before.stage, { x: 300, y: 300 });
-  input.down(touch(1, 280, 300, 0));
-  input.down(touch(2, 320, 300, 40));
-  for (let i = 1; i <= 10; i += 1) {
-    input.move(touch(1, 280 - 4 * i, 300, 40 + 16 * i));
-    input.move(touch(2, 320 + 4 * i, 300, 41 + 16 * i));
-    input.flush();
-  }
+  spread(input, 0);
   input.up(touch(1, 240, 300, 400));
   input.up(touch(2, 360, 300, 410));
   const { view, stage, curve } = editor.state.value;

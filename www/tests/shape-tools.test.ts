@@ -8,7 +8,7 @@ import { hintFor } from "../src/editor/hint.ts";
 import { toScreen } from "../src/editor/pointer/camera.ts";
 import { writePath } from "../src/kernel/paths/export.ts";
 import { measureCurve } from "../src/kernel/curve/measuring/measure.ts";
-import { Hand, handOf } from "./harness.ts";
+import { Hand, handOf, spread, touch } from "./harness.ts";
 
 /** Ellipses and rectangles drawn with their tools, through pointers and keys alone. */
 
@@ -254,7 +254,7 @@ test("as an interpolating contour an ellipse that was drawn is the same ellipse"
   assert.equal(hand.curve.contours[0], new Hand("blob-16").curve.contours[0], "the one that was there is as it was");
 });
 
-test("frames, levels, points and other families take an ellipse that was drawn as any other contour", async () => {
+test("frames, levels, points and other families take an ellipse that was drawn like every other contour", async () => {
   await framing.load();
   await shaping.load();
   const hand = await holding("ellipse");
@@ -279,24 +279,16 @@ test("drawn within a closed shape it is a hole, as a file's contours are", async
 test("one finger draws; a second that comes at once draws nothing, and pinches", async () => {
   const hand = await holding("ellipse");
   const { input, editor } = hand;
-  const none = { shift: false, alt: false, mod: false };
-  const finger = (id: number, x: number, y: number, time: number): Parameters<typeof input.down>[0] => ({ id, kind: "touch", button: 0, screen: { x, y }, modifiers: none, time });
   const at = toScreen(editor.state.value.view, editor.state.value.stage, { x: 100, y: 150 });
-  input.down(finger(1, at.x, at.y, 0));
-  input.move(finger(1, at.x + 240, at.y + 160, 400));
+  input.down(touch(1, at.x, at.y, 0));
+  input.move(touch(1, at.x + 240, at.y + 160, 400));
   input.flush();
   assert.deepEqual(editor.state.value.sketch.finger, { x: 340, y: 310 }, "the loupe shows what it hides");
-  input.up(finger(1, at.x + 240, at.y + 160, 500));
+  input.up(touch(1, at.x + 240, at.y + 160, 500));
   assert.deepEqual(boxOf(last(hand)), [100, 150, 340, 310]);
   const { curve, view } = editor.state.value;
-  input.down(finger(1, 280, 300, 2000));
-  input.down(finger(2, 320, 300, 2040));
-  for (let i = 1; i <= 10; i += 1) {
-    input.move(finger(1, 280 - 4 * i, 300, 2040 + 16 * i));
-    input.move(finger(2, 320 + 4 * i, 300, 2041 + 16 * i));
-    input.flush();
-  }
-  for (const id of [1, 2]) input.up(finger(id, 300, 300, 2400));
+  spread(input, 2000);
+  for (const id of [1, 2]) input.up(touch(id, 300, 300, 2400));
   assert.equal(editor.state.value.curve, curve);
   assert.ok(editor.state.value.view.zoom > 2.5 * view.zoom);
 });
