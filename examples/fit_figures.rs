@@ -78,7 +78,7 @@ pub(crate) fn mark(name: &str) -> String {
 /// Where it ends.
 pub(crate) const END: &str = "<!-- end -->";
 
-#[allow(dead_code, reason = "tests/fit_figures.rs compares the figures without writing them")]
+#[allow(dead_code, reason = "tests/house/fit_figures.rs compares the figures without writing them")]
 fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     let plain = |error: Box<Error>| *error;
     std::fs::write("docs/figures/noisy-outline.svg", noisy_outline().map_err(plain)?)?;

@@ -5,7 +5,8 @@ import { delimiter, join } from "node:path";
 
 import { StepError, run } from "./steps.mjs";
 
-const NAMES = ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chrome"];
+/** Chromium without windows first: it opens a page in a quarter of the processor's time that one with windows takes. */
+const NAMES = ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chrome"];
 const ELSEWHERE = [
   "/snap/bin/chromium",
   "/Applications/Chromium.app/Contents/MacOS/Chromium",
@@ -43,6 +44,9 @@ export function findChromium() {
   return [...candidates, ...ELSEWHERE].find(isProgram);
 }
 
+/** What apt is asked for, the first that it has; not every system has Chromium without windows apart. */
+const PACKAGES = ["chromium-headless-shell", "chromium"];
+
 /** Finds Chromium or installs it with apt, as root or with a sudo that asks for no password. */
 export async function ensureChromium() {
   const found = findChromium();
@@ -52,14 +56,15 @@ export async function ensureChromium() {
     const [command, ...rest] = [...sudo, "apt-get", ...parameters];
     await run(command, rest, { env: { DEBIAN_FRONTEND: "noninteractive" } });
   };
+  const install = (name) => apt("install", "-y", "--no-install-recommends", name);
   try {
     await apt("update");
-    await apt("install", "-y", "--no-install-recommends", "chromium");
+    await install(PACKAGES[0]).catch(() => install(PACKAGES[1]));
   } catch (error) {
     throw new StepError("no Chromium or Chrome was found and apt could not install one; set CHROMIUM to its path", error.output);
   }
   const installed = findChromium();
-  if (!installed) throw new StepError("apt installed chromium, but it is not on the PATH; set CHROMIUM to its path");
+  if (!installed) throw new StepError("apt installed Chromium, but it is not on the PATH; set CHROMIUM to its path");
   return installed;
 }
 

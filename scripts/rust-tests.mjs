@@ -1,8 +1,7 @@
 // The Rust tests: natively, in wasm under Node and in wasm in Chromium, and a check that none of the three is empty.
 
 import { spawn } from "node:child_process";
-import { readFileSync } from "node:fs";
-import { basename } from "node:path";
+import { readFileSync, statSync } from "node:fs";
 
 import { launch } from "./browser.mjs";
 import { StepError, at, children, endGroup, environment, root, run, sideBySide } from "./steps.mjs";
@@ -47,7 +46,7 @@ export function testNative() {
   return attempt("cargo", ["test", "--locked", "--no-fail-fast", "-p", "expline"]);
 }
 
-/** Compiles the promise tests for wasm: name and file of each, without those that say they are for another host. */
+/** Compiles the promise tests for wasm: room and file of each, without those that say they are for another host. */
 async function wasmTests(inBrowser) {
   const parameters = ["test", "--locked", "-p", "expline", "--target", TARGET, ...BINDINGS, "--tests", "--no-run", "--message-format=json"];
   const tests = [];
@@ -58,9 +57,10 @@ async function wasmTests(inBrowser) {
     const source = readFileSync(target.src_path, "utf8");
     const hostOnly = /^#!\[cfg\(not\(target_arch = "wasm32"\)\)\]/m.test(source);
     const browserOnly = /^wasm_bindgen_test_configure!\(run_in_browser\)/m.test(source);
-    if (!hostOnly && (inBrowser || !browserOnly)) tests.push({ name: basename(target.src_path), file: executable });
+    if (!hostOnly && (inBrowser || !browserOnly)) tests.push({ name: target.name, file: executable, size: statSync(executable).size });
   }
-  return tests.sort((a, b) => (a.name < b.name ? -1 : 1));
+  // What is longest begins first, so that nothing is left over for one core at the end; it is mostly what is largest.
+  return tests.sort((a, b) => b.size - a.size);
 }
 
 /** Runs every file with `runOne` and adds up; a file that ran no test is a failure, since nobody would notice. */
@@ -119,10 +119,11 @@ async function testInPage(browser, file) {
     await page.goto(url);
     const done = () => document.querySelector("#output")?.textContent?.includes("test result: ");
     const silent = await page.waitForFunction(done, undefined, { timeout: PATIENCE }).then(() => false, () => true);
-    const output = (await page.locator("#output").textContent()) ?? "";
-    await page.close();
+    // A page whose thread is held by a test answers nothing, not even that it is to be closed.
+    const output = (await page.locator("#output").textContent({ timeout: 5_000 }).catch(() => "")) ?? "";
     const { passed, failed } = countCargo(output);
     if (silent) return { passed, failed: failed + 1, failures: `the page has said nothing for ${PATIENCE / 1000} s\n${failuresOf(output)}` };
+    await page.close();
     return { passed, failed, failures: failed > 0 ? failuresOf(output) : "" };
   } finally {
     stop();

@@ -1,6 +1,6 @@
 //! Draws the figures of the documentation into docs/figures: `cargo run --example figures`.
 //!
-//! They are computed, never drawn by hand; `tests/figures.rs` fails when a figure and the code disagree.
+//! They are computed, never drawn by hand; `tests/house/figures.rs` fails when a figure and the code disagree.
 
 mod circle;
 mod generators;
@@ -31,7 +31,7 @@ pub(crate) const FIGURES: [Figure; 8] = [
 /// The figure whose numbers are fitted: a better tracer may move them by less than anybody sees.
 pub(crate) const FITTED: Figure = ("tracing", tracing::tracing);
 
-#[allow(dead_code, reason = "tests/figures.rs compares the figures without writing them")]
+#[allow(dead_code, reason = "tests/house/figures.rs compares the figures without writing them")]
 fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     std::fs::create_dir_all("docs/figures")?;
     for (name, draw) in FIGURES.into_iter().chain([FITTED]) {

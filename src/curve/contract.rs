@@ -225,9 +225,9 @@ pub trait Curve: Pieces {
     /// # Accuracy
     ///
     /// The distance is at most 2e-13 of the curve's size larger than the least one, and never a local minimum only
-    /// (`tests/nearest.rs`, against dense sampling). From a `place` that is not finite, or beyond 1e154, nothing is at
-    /// a finite distance: the answer is t = 0 with the place itself and the distance ∞. A curve in space counts as its
-    /// projection.
+    /// (`tests/curve/nearest.rs`, against dense sampling). From a `place` that is not finite, or beyond 1e154, nothing
+    /// is at a finite distance: the answer is t = 0 with the place itself and the distance ∞. A curve in space counts
+    /// as its projection.
     fn nearest(&self, place: Point) -> Nearest {
         NearestFinder::of(self.as_pieces()).nearest(place)
     }

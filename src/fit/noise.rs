@@ -72,7 +72,7 @@ const ENOUGH: usize = 20_000;
 ///
 /// # Accuracy
 ///
-/// Within 10 % for 300 points and more whose curve turns little from one to the next (`tests/fit_data.rs`).
+/// Within 10 % for 300 points and more whose curve turns little from one to the next (`tests/fit/data.rs`).
 pub fn noise(samples: &Samples) -> f64 {
     levels(samples)[0]
 }

@@ -28,7 +28,7 @@ use crate::numerics::entire::{SERIES_LIMIT, Stumpff, stumpff};
 ///
 /// For w ≤ π and in the hyperbolic space, 4e-16 of the largest value of each weight or derivative; up to
 /// w = 6.2 a few 1e-15, and towards 2π the error grows like the weights themselves. No jump anywhere in w or
-/// x beyond that. Held by `tests/exactness.rs` against 50 digits.
+/// x beyond that. Held by `tests/generator/exactness.rs` against 50 digits.
 ///
 /// # Cost
 ///

@@ -11,7 +11,7 @@ impl Basis {
     ///
     /// # Accuracy
     ///
-    /// 1e-15 of the largest value (`tests/exactness.rs`).
+    /// 1e-15 of the largest value (`tests/generator/exactness.rs`).
     ///
     /// # Source
     ///

@@ -15,9 +15,9 @@ use crate::limits::{MOST_EVALUATIONS, check, too_many, with_room};
 /// # Accuracy
 ///
 /// 1e-15 of the largest value, and of the largest of each derivative, however many roots and however they lie:
-/// repeated, tiny and clustered ones are no special case, and those far from the imaginary axis neither, up
-/// to |re| = 96/n₀ (`tests/b_splines.rs`). A few larger ones among many others cancel: 3e-12 of the value and 4e-6 of
-/// the sixth derivative are left for six times 0 and ±20.
+/// repeated, tiny and clustered ones are no special case, and those far from the imaginary axis neither, up to
+/// |re| = 96/n₀ (`tests/generator/b_splines.rs`). A few larger ones among many others cancel: 3e-12 of the value and
+/// 4e-6 of the sixth derivative are left for six times 0 and ±20.
 ///
 /// # Source
 ///

@@ -12,7 +12,7 @@ impl ExponentialBSpline {
     ///
     /// # Accuracy
     ///
-    /// 2e-15 of the largest (`tests/exponential_refinement.rs`).
+    /// 2e-15 of the largest (`tests/refine/exponential.rs`).
     ///
     /// # Errors
     ///

@@ -44,8 +44,9 @@ const LOOKS: usize = 40;
 ///
 /// # Accuracy
 ///
-/// 1e-15 of the largest value, λ itself 1e-15 (`tests/interpolators.rs`): the pieces are added up in twofold precision.
-/// Roots that crowd near ±iπ make φ large between the points: see [`Self::condition`] and [`Self::lebesgue`].
+/// 1e-15 of the largest value, λ itself 1e-15 (`tests/generator/interpolators.rs`): the pieces are added up in twofold
+/// precision. Roots that crowd near ±iπ make φ large between the points: see [`Self::condition`] and
+/// [`Self::lebesgue`].
 ///
 /// # Source
 ///

@@ -49,7 +49,7 @@ impl HermiteGenerators {
     ///
     /// # Accuracy
     ///
-    /// 3e-15 relative for ω ≤ π, 1e-14 elsewhere (`tests/stability.rs`).
+    /// 3e-15 relative for ω ≤ π, 1e-14 elsewhere (`tests/generator/stability.rs`).
     ///
     /// # Source
     ///
@@ -67,8 +67,8 @@ impl HermiteGenerators {
     ///
     /// # Accuracy
     ///
-    /// 1e-14 relative (`tests/stability.rs`, against a dense scan of the Fourier Gram matrix). Exact means that
-    /// no grid is searched: (D 6.3) lists every place where an eigenvalue can be extreme.
+    /// 1e-14 relative (`tests/generator/stability.rs`, against a dense scan of the Fourier Gram matrix). Exact means
+    /// that no grid is searched: (D 6.3) lists every place where an eigenvalue can be extreme.
     pub fn riesz_bounds(&self) -> RieszBounds {
         let m = moments(self.basis());
         let gram = Gram::of(&m);

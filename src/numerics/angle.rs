@@ -32,7 +32,7 @@ pub(crate) fn wrapped(t: f64, period: f64) -> f64 {
 ///
 /// # Accuracy
 ///
-/// One unit in the last place, also next to multiples of π/2 (`tests/exactness.rs`).
+/// One unit in the last place, also next to multiples of π/2 (`tests/generator/exactness.rs`).
 pub fn sin_cos(angle: f64) -> (f64, f64) {
     let angle = if angle.abs() <= LARGEST { angle } else { 0.0 };
     let quarters = (angle * FRAC_2_PI).round_ties_even();

@@ -207,7 +207,7 @@ impl MatrixMask {
 /// # Accuracy
 ///
 /// Points to 2e-15 of the data's size however many levels; derivatives to 1e-15·arity^levels, for a derivative is a
-/// difference of points divided by the step (`tests/refinement.rs`).
+/// difference of points divided by the step (`tests/refine/hermite.rs`).
 ///
 /// # Errors
 ///

@@ -68,7 +68,7 @@ impl TensorSurface {
     /// 0/0, and are the limit, from every side the same: 1e-13, and with m × n points on a sphere 1e-16·m·n. At other
     /// degenerate places where an edge shrinks to a point it is that, too; elsewhere it is extrapolated from four
     /// places inside, to some 1e-6 of the neighbourhood's variation. Where there is no limit, 0
-    /// (`tests/surface_shape.rs`).
+    /// (`tests/surface/shape.rs`).
     ///
     /// # Errors
     ///

@@ -145,7 +145,7 @@ impl TensorSurface {
     /// # Accuracy
     ///
     /// 1e-13; on what is r times as thin as it is long 1e-16/r, to r = 1e-12, and 1e-7 within 1e-7 of a pole
-    /// (`tests/surface_shape.rs`).
+    /// (`tests/surface/shape.rs`).
     ///
     /// # Errors
     ///

@@ -39,7 +39,7 @@ impl TensorSurface {
     ///
     /// # Accuracy
     ///
-    /// The surface changes by at most 1e-12 of its size (`tests/surface_refine.rs`).
+    /// The surface changes by at most 1e-12 of its size (`tests/surface/refinement.rs`).
     ///
     /// # Errors
     ///

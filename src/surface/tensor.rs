@@ -126,7 +126,7 @@ impl TensorSurface {
     ///
     /// # Accuracy
     ///
-    /// 2e-13 of ten times the largest number of the net (`tests/surface.rs`).
+    /// 2e-13 of ten times the largest number of the net (`tests/surface/reference.rs`).
     ///
     /// # Errors
     ///

@@ -19,7 +19,8 @@ impl HermiteCurve {
     ///
     /// # Accuracy
     ///
-    /// Within 2e-15 of the size everywhere (`tests/ellipses.rs`). Points at multiples of a quarter turn are exact.
+    /// Within 2e-15 of the size everywhere (`tests/curve/ellipses.rs`). Points at multiples of a quarter turn are
+    /// exact.
     ///
     /// # Errors
     ///

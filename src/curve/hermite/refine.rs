@@ -16,8 +16,8 @@ impl HermiteCurve {
     ///
     /// # Accuracy
     ///
-    /// Values move by less than 1e-15 of the curve's size a level (`tests/editing.rs`). The domain stays what it was to
-    /// the last bit where the arity is a power of two, else within one rounding.
+    /// Values move by less than 1e-15 of the curve's size a level (`tests/curve/editing.rs`). The domain stays what it
+    /// was to the last bit where the arity is a power of two, else within one rounding.
     ///
     /// # Errors
     ///

@@ -95,7 +95,7 @@ impl Sampler {
     /// # Accuracy
     ///
     /// Within 4 roundings of the curve's size of [`HermiteCurve::evaluate`]; samples that fall on a point are that
-    /// point to the last bit (`tests/sampling.rs`).
+    /// point to the last bit (`tests/curve/sampling.rs`).
     ///
     /// # Cost
     ///

@@ -21,7 +21,7 @@ impl HermiteCurve {
     ///
     /// # Accuracy
     ///
-    /// The jump of the second derivative is below 1e-12 of its size (`tests/curve.rs`).
+    /// The jump of the second derivative is below 1e-12 of its size (`tests/curve/data.rs`).
     ///
     /// # Errors
     ///

@@ -27,7 +27,7 @@ const ROUNDED: f64 = 1e-12;
 ///
 /// # Accuracy
 ///
-/// 1e-14 of the points' size (`tests/interpolating_curves.rs`).
+/// 1e-14 of the points' size (`tests/curve/interpolating.rs`).
 ///
 /// # Source
 ///

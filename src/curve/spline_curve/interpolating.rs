@@ -26,7 +26,7 @@ use crate::refine::{extended, from_points};
 /// 1e-14·(1 + Σ|λ|) of the points' size; at the points exact. Where 0 and real roots are mixed the points beyond an
 /// open curve's ends grow and cancel again: on the first and last n₀ − 2 segments 1e-16·e^{(n₀ − 3)a} more with the
 /// largest real part a, which is 2e-11 for 0, 0, ±12, and 1e-14·e^{(n₀ − 3)a} for what [`Self::refine`] makes of it
-/// (`tests/interpolating_curves.rs`).
+/// (`tests/curve/interpolating.rs`).
 ///
 /// # Source
 ///
@@ -100,7 +100,7 @@ impl InterpolatingCurve {
     ///
     /// # Accuracy
     ///
-    /// The curve changes by at most 1e-12 of its size at level 6 (`tests/interpolating_curves.rs`), an open one of
+    /// The curve changes by at most 1e-12 of its size at level 6 (`tests/curve/interpolating.rs`), an open one of
     /// large real roots by what [`InterpolatingCurve`] says of it.
     ///
     /// # Source

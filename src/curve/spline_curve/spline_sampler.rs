@@ -68,7 +68,7 @@ impl SplineSampler {
     /// # Accuracy
     ///
     /// Within 1e-14·(1 + Σ|λ|) of the points' size of [`SplineCurve::evaluate_into`]; samples at a point are that point
-    /// to the last bit (`tests/spline_sampling.rs`).
+    /// to the last bit (`tests/curve/spline_sampling.rs`).
     ///
     /// # Errors
     ///

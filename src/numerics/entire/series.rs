@@ -37,7 +37,7 @@ const ODD: [f64; 10] = [
 ///
 /// # Accuracy
 ///
-/// 3e-16 relative (`tests/exactness.rs`, against 50 digits).
+/// 3e-16 relative (`tests/generator/exactness.rs`, against 50 digits).
 ///
 /// # Cost
 ///
