@@ -3,7 +3,8 @@ import { test } from "node:test";
 import { gripsOf } from "../src/editor/curve/framing.ts";
 import type { Grip } from "../src/editor/state.ts";
 import { toPage } from "../src/editor/pointer/camera.ts";
-import { Hand, largestDistance } from "./harness.ts";
+import { translated } from "../src/document/curve/contours.ts";
+import { Hand, contoursOfPath, handOf, largestDistance } from "./harness.ts";
 
 /** The frame around whole contours. The oracle is the map itself: the curve's own samples, mapped one by one. */
 
@@ -18,6 +19,10 @@ function gripAt(hand: Hand, grip: Grip): { x: number; y: number } {
 
 function mapped(samples: Float64Array, map: (x: number, y: number) => Place): Float64Array {
   return samples.map((_, i) => map(samples[i - (i % 2)] ?? 0, samples[i - (i % 2) + 1] ?? 0)[i % 2] ?? 0);
+}
+
+function around(samples: Float64Array): { minX: number; minY: number } {
+  return { minX: Math.min(...samples.filter((_, i) => i % 2 === 0)), minY: Math.min(...samples.filter((_, i) => i % 2 === 1)) };
 }
 
 const turned = (degrees: number, [cx, cy]: Place) => (x: number, y: number): Place => {
@@ -146,4 +151,105 @@ test("what is chosen beside whole contours goes along, and nothing else moves", 
     if (!points.some((ref) => ref.contour === c && ref.index === index)) return assert.deepEqual(now, point);
     assert.ok(Math.abs(now.x - (sum - point.x)) < 1e-9 && now.y === point.y && Math.abs(now.out.dx + point.out.dx) < 1e-9, `point ${c}-${index}`);
   }));
+});
+
+/** A disc and a square on its right, by the path they are; the disc is chosen, and so the frame is around it. */
+async function discChosen(): Promise<Hand> {
+  const hand = handOf(contoursOfPath("M400 300A100 100 0 0 1 200 300A100 100 0 0 1 400 300ZM500 250H600V350H500Z"));
+  hand.doubleClick(300, 300);
+  await loaded(hand);
+  assert.deepEqual([...new Set(hand.selected.map((ref) => ref[0]))], ["0"]);
+  return hand;
+}
+
+test("what is chosen moves when it is dragged by its inside, as one step of the history, and nothing else does", async () => {
+  const hand = await discChosen();
+  const [disc, square] = [hand.sample(200), hand.sample(200, 1)];
+  hand.drag({ x: 300, y: 340 }, 37, -21);
+  assert.ok(largestDistance(hand.sample(200), mapped(disc, (x, y) => [x + 37, y - 21])) < 1e-9);
+  assert.equal(largestDistance(hand.sample(200, 1), square), 0);
+  assert.equal(hand.editor.state.value.undoName, "Move contours");
+  hand.run("undo");
+  assert.equal(largestDistance(hand.sample(200), disc), 0);
+});
+
+test("a drag that begins beside what is chosen selects, also inside of something else; a click inside chooses nothing", async () => {
+  const hand = await discChosen();
+  const before = hand.curve;
+  hand.drag({ x: 550, y: 300 }, 70, 70);
+  assert.deepEqual(hand.selected, ["1:2"], "the square's corner");
+  hand.doubleClick(300, 300);
+  await loaded(hand);
+  hand.drag({ x: 210, y: 210 }, 20, 20);
+  assert.deepEqual(hand.selected, [], "in the frame's corner");
+  hand.doubleClick(300, 300);
+  await loaded(hand);
+  hand.click(300, 320);
+  assert.deepEqual(hand.selected, []);
+  assert.equal(hand.curve, before);
+});
+
+test("of all that is chosen, a double-click inside one shape leaves that one", async () => {
+  const hand = await discChosen();
+  await loaded(hand.run("select-all"));
+  hand.doubleClick(550, 300);
+  await loaded(hand);
+  assert.deepEqual(hand.selected, ["1:0", "1:1", "1:2", "1:3"]);
+});
+
+test("a mark of another colour lies on what is chosen: a drag that begins on it does not move what is below", async () => {
+  const hand = await discChosen();
+  const [disc, square] = hand.curve.contours;
+  assert.ok(disc !== undefined && square !== undefined);
+  const mark = { ...translated(square, -250, 0), ink: "#b71c1c" };
+  const marked = handOf([{ ...disc, ink: "#204080" }, mark]);
+  marked.editor.patch({ selection: { points: disc.points.map((_, index) => ({ contour: 0, index })), handle: null } });
+  await loaded(marked);
+  const before = marked.curve;
+  marked.drag({ x: 300, y: 300 }, 30, 0);
+  assert.equal(marked.curve, before);
+});
+
+test("Alt drags copies of what is chosen, Shift keeps it level, and both count at once on the way", async () => {
+  const hand = await discChosen();
+  const disc = hand.sample(200);
+  hand.wait().moveTo(300, 300).press().moveTo(340, 330);
+  assert.equal(hand.editor.state.value.cursor, "move");
+  hand.keys({ shift: true });
+  assert.ok(largestDistance(hand.sample(200), mapped(disc, (x, y) => [x + 35, y + 35])) < 1e-9, "45°");
+  hand.keys({ alt: true });
+  assert.equal(hand.editor.state.value.cursor, "copy");
+  assert.equal(largestDistance(hand.sample(200), disc), 0, "the disc is where it was");
+  assert.ok(largestDistance(hand.sample(200, 2), mapped(disc, (x, y) => [x + 40, y + 30])) < 1e-9);
+  hand.keys({});
+  assert.equal(hand.curve.contours.length, 2);
+  hand.keys({ alt: true }).release().keys({});
+  assert.equal(hand.curve.contours.length, 3);
+  assert.deepEqual([...new Set(hand.selected.map((ref) => ref[0]))], ["2"], "the copy is chosen");
+  assert.equal(hand.editor.state.value.undoName, "Duplicate");
+  hand.run("undo");
+  assert.equal(hand.curve.contours.length, 2);
+});
+
+test("what is moved snaps by the corners and the middle of its box", async () => {
+  for (const [from, to, by] of [["its left edge", 503, 500 - 200], ["its middle", 498, 500 - 300], ["its right edge", 497, 500 - 400]] as const) {
+    const hand = await discChosen();
+    const step = by + to - 500;
+    hand.editor.setSettings({ snap: true });
+    // High above the square, so that it is in line with it in no other way.
+    hand.drag({ x: 300, y: 300 }, step, -217);
+    const box = around(hand.sample(4000));
+    assert.ok(Math.abs(box.minX - (200 + by)) < 1e-9 && Math.abs(box.minY - (200 - 217)) < 1e-4, `${from}: ${JSON.stringify(box)}`);
+  }
+});
+
+test("a finger drags what is chosen by its inside, and pans beside it", async () => {
+  const hand = await discChosen();
+  hand.kind = "touch";
+  hand.drag({ x: 300, y: 340 }, 30, 0);
+  assert.equal(hand.point(0).x, 430);
+  const { view } = hand.editor.state.value;
+  hand.drag({ x: 100, y: 100 }, 30, 0);
+  assert.equal(hand.point(0).x, 430);
+  assert.notEqual(hand.editor.state.value.view.x, view.x);
 });

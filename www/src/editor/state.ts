@@ -50,8 +50,11 @@ export interface DragReadout {
   readonly says?: string;
 }
 
-/** What a frame is taken hold of by: a corner, the middle of a side, or what turns it. */
-export type Grip = "nw" | "n" | "ne" | "e" | "se" | "s" | "sw" | "w" | "turn";
+/** What a frame is taken hold of by: a corner, the middle of a side, what turns it, or what is in it. */
+export type Grip = "nw" | "n" | "ne" | "e" | "se" | "s" | "sw" | "w" | "turn" | "inside";
+
+/** What stretches it. */
+export type StretchingGrip = Exclude<Grip, "turn" | "inside">;
 
 /** What the pointer or the keyboard is over, for markers, cursors and the hint line. */
 export type Target =

@@ -2,15 +2,15 @@ import { stretching, transformPoints, turning, type Affine } from "../../documen
 import { joinEnds } from "../../document/curve/joining.ts";
 import { mostAcross, pointAt } from "../../document/document.ts";
 import { around, boundsOf, documentBounds, type Bounds } from "../../kernel/curve/samples.ts";
-import { shapeAt } from "../../kernel/paths/shapes.ts";
-import type { Editor, EditorState, Grip } from "../editor.ts";
+import { isInside, shapeAt } from "../../kernel/paths/shapes.ts";
+import type { Editor, EditorState, Grip, StretchingGrip } from "../editor.ts";
 import { refuse } from "./edits.ts";
 import { fitted, toScreen, type PagePoint, type ScreenPoint } from "../pointer/camera.ts";
 
 /** The frame around contours that are chosen as a whole, its grips, and what turns and stretches what is chosen. */
 
 /** Where a grip is on the frame: 0 … 1 across and down. */
-const places = { nw: [0, 0], n: [0.5, 0], ne: [1, 0], e: [1, 0.5], se: [1, 1], s: [0.5, 1], sw: [0, 1], w: [0, 0.5] } as const satisfies Record<Exclude<Grip, "turn">, readonly [number, number]>;
+const places = { nw: [0, 0], n: [0.5, 0], ne: [1, 0], e: [1, 0.5], se: [1, 1], s: [0.5, 1], sw: [0, 1], w: [0, 0.5] } as const satisfies Record<StretchingGrip, readonly [number, number]>;
 
 /** The frame stands off the drawing, CSS pixels, so that points on its edge stay free; fingers need more room. */
 const margin = { mouse: 16, touch: 28 } as const;
@@ -66,6 +66,11 @@ export function nearestGrip(state: EditorState, at: ScreenPoint, reach: number):
     .filter(({ distance }) => distance <= reach)
     .sort((a, b) => a.distance - b.distance);
   return found[0]?.grip ?? null;
+}
+
+/** Whether a place is inside of what the frame is around: a press there takes hold of all of it. */
+export function isInsideFramed(state: EditorState, at: PagePoint): boolean {
+  return frameOf(state) !== null && isInside(state.curve, new Set(state.selection.points.map(({ contour }) => contour)), at);
 }
 
 export function centreOf({ minX, minY, maxX, maxY }: Bounds): PagePoint {

@@ -39,19 +39,36 @@ function isWithin(box: Bounds, around: Bounds): boolean {
 
 const extent = ({ minX, minY, maxX, maxY }: Bounds): number => (maxX - minX) * (maxY - minY);
 
+interface Around {
+  readonly contour: Contour;
+  readonly index: number;
+  readonly box: Bounds;
+}
+
+/** The contours that go round a place, the innermost first. */
+function around(curve: CurveDocument, at: Place): Around[] {
+  return curve.contours
+    .flatMap((contour, index) => {
+      const box = goesRound(curve, contour, at) ? boundsOf(curve, contour) : null;
+      return box === null ? [] : [{ contour, index, box }];
+    })
+    .sort((a, b) => extent(a.box) - extent(b.box));
+}
+
+/** Whether one of some contours goes round a place, and nothing of another colour lies over it there. */
+export function isInside(curve: CurveDocument, some: ReadonlySet<number>, at: Place): boolean {
+  const found = around(curve, at);
+  return found.some(({ contour, index }) => some.has(index) && contour.ink === found[0]?.contour.ink);
+}
+
 /**
  * The points of the shape around a place: of the colour that lies innermost there, the outermost contour that goes
  * round the place, with all of its colour that lies within. None where nothing does.
  */
 export function shapeAt(curve: CurveDocument, at: Place): readonly PointRef[] {
-  const around = curve.contours
-    .flatMap((contour) => {
-      const box = goesRound(curve, contour, at) ? boundsOf(curve, contour) : null;
-      return box === null ? [] : [{ contour, box }];
-    })
-    .sort((a, b) => extent(a.box) - extent(b.box));
-  const [innermost] = around;
-  const outermost = around.filter(({ contour }) => contour.ink === innermost?.contour.ink).at(-1);
+  const found = around(curve, at);
+  const [innermost] = found;
+  const outermost = found.filter(({ contour }) => contour.ink === innermost?.contour.ink).at(-1);
   if (outermost === undefined) return [];
   return curve.contours.flatMap((contour, c): PointRef[] => {
     const box = boundsOf(curve, contour);

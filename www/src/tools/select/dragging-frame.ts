@@ -1,12 +1,13 @@
 import { stretching, transformPoints, turning, type Affine } from "../../document/curve/affine.ts";
-import { centreOf, frameOf, gripAndAnchor, nearestGrip } from "../../editor/curve/framing.ts";
-import type { Editor, Grip, Guide, Target } from "../../editor/editor.ts";
+import { centreOf, frameOf, gripAndAnchor, isInsideFramed, nearestGrip } from "../../editor/curve/framing.ts";
+import type { Editor, Grip, Guide, StretchingGrip, Target } from "../../editor/editor.ts";
 import type { PagePoint } from "../../editor/pointer/camera.ts";
 import { reachOf } from "../../editor/pointer/hit-test.ts";
 import { gridOf, snapPlace } from "../../editor/pointer/snapping.ts";
 import { nothingSketched } from "../../editor/sketch.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
 import { curveDrag } from "./curve-drag.ts";
+import { dragInside } from "./dragging-inside.ts";
 
 /** Turning and stretching what is chosen by the grips of its frame: circles become ellipses, and are exact. */
 
@@ -21,7 +22,7 @@ const none = nothingSketched.guides;
 const leastFactor = 1e-3;
 
 /** Shift keeps the proportions, Alt stretches from the middle. */
-function stretchBy(editor: Editor, start: PointerSample, grip: Exclude<Grip, "turn">): (sample: PointerSample) => Change | null {
+function stretchBy(editor: Editor, start: PointerSample, grip: StretchingGrip): (sample: PointerSample) => Change | null {
   const { curve, selection } = editor.state.value;
   const frame = frameOf(editor.state.value);
   if (frame === null) return () => null;
@@ -69,18 +70,23 @@ function turnBy(editor: Editor, start: PointerSample): (sample: PointerSample) =
 }
 
 const cursors: Readonly<Record<Grip, string>> = {
-  nw: "nwse-resize", n: "ns-resize", ne: "nesw-resize", e: "ew-resize", se: "nwse-resize", s: "ns-resize", sw: "nesw-resize", w: "ew-resize", turn: "grab",
+  nw: "nwse-resize", n: "ns-resize", ne: "nesw-resize", e: "ew-resize", se: "nwse-resize", s: "ns-resize", sw: "nesw-resize", w: "ew-resize", turn: "grab", inside: "move",
 };
 
-/** The grip under the pointer. */
-export function gripUnder(editor: Editor, { screen, kind }: PointerSample): Target | null {
+/** The grip under the pointer, or what the frame is around. */
+export function gripUnder(editor: Editor, { screen, page, kind, modifiers }: PointerSample): Target | null {
   const grip = nearestGrip(editor.state.value, screen, reachOf[kind]);
-  if (grip === null) return null;
+  if (grip === null) {
+    if (!isInsideFramed(editor.state.value, page)) return null;
+    const hint = kind === "touch" ? "Drag to move what is selected." : "Drag to move what is selected, Alt-drag to copy it. Shift keeps it level or upright.";
+    return { kind: "grip", grip: "inside", cursor: modifiers.alt ? "copy" : cursors.inside, hint };
+  }
   const hint = grip === "turn" ? "Drag to rotate; Shift for 15° steps." : "Drag to scale; Shift keeps proportions, Alt scales from the centre.";
   return { kind: "grip", grip, cursor: cursors[grip], hint };
 }
 
 export function dragFrame(editor: Editor, start: PointerSample, grip: Grip): Drag {
+  if (grip === "inside") return dragInside(editor, start);
   const { selection } = editor.state.value;
   const change = grip === "turn" ? turnBy(editor, start) : stretchBy(editor, start, grip);
   const name = grip === "turn" ? "Turn" : "Stretch";

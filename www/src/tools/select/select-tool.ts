@@ -26,7 +26,9 @@ export function createSelectTool(editor: Editor): Tool {
   const gestures = pressOrDrag<Target>({
     hit: (sample) => (sample.clicks === 2 ? lastClicked : targetOf(editor, frame(), sample)),
     begin: (start, target) => dragOf(editor, frame(), start, target),
-    click(target, sample) {
+    click(hit, sample) {
+      // Inside of what is chosen a click means what it means elsewhere.
+      const target = hit.kind === "grip" && hit.grip === "inside" ? nowhere : hit;
       if (sample.clicks === 2) doubleClick(editor, target, sample);
       else click(editor, target, sample);
       lastClicked = target;
