@@ -5,6 +5,7 @@ import { actionFor } from "../src/editor/actions/keymap.ts";
 import { setFamily } from "../src/editor/curve/family-edits.ts";
 import { framing, shaping } from "../src/editor/curve/on-demand.ts";
 import { hintFor } from "../src/editor/hint.ts";
+import { openSample } from "../src/editor/route.ts";
 import { toScreen } from "../src/editor/pointer/camera.ts";
 import { writePath } from "../src/kernel/paths/export.ts";
 import { measureCurve } from "../src/kernel/curve/measuring/measure.ts";
@@ -252,6 +253,16 @@ test("as an interpolating contour an ellipse that was drawn is the same ellipse"
   assert.deepEqual(hand.curve.contours.map(({ family }) => family), ["interpolating", "interpolating"]);
   assert.ok(ellipseError(hand.sample(1000, 1), [100, 150, 340, 310]) < 1e-12);
   assert.equal(hand.curve.contours[0], new Hand("blob-16").curve.contours[0], "the one that was there is as it was");
+});
+
+test("who clears a sample and draws has the comparison that explains the sample no longer, and can ask for it", async () => {
+  const hand = new Hand();
+  openSample(hand.editor, "circle-2");
+  const compares = (): boolean => hand.editor.state.value.settings.overlays.bezier;
+  assert.ok(compares());
+  (await holding("ellipse", hand.run("clear"))).drag({ x: 100, y: 100 }, 80, 60);
+  assert.ok(!compares());
+  assert.ok((hand.run("overlay-bezier"), compares()));
 });
 
 test("frames, levels, points and other families take an ellipse that was drawn like every other contour", async () => {

@@ -149,7 +149,10 @@ export function setOmega(editor: Editor, omega: number | "auto", run?: string): 
 }
 
 export function clearCurve(editor: Editor): void {
-  if (editor.state.value.curve.contours.length > 0) editor.dispatch(clearCommand());
+  if (editor.state.value.curve.contours.length === 0) return;
+  editor.dispatch(clearCommand());
+  // It belongs to a sample's lesson: around every ellipse of one's own drawing it would only clutter.
+  editor.setOverlay("bezier", false);
 }
 
 /** Puts a whole drawing in place of the present one, undoably. */
