@@ -9,7 +9,7 @@ import { openSample } from "../src/editor/route.ts";
 import { toScreen } from "../src/editor/pointer/camera.ts";
 import { writePath } from "../src/kernel/paths/export.ts";
 import { measureCurve } from "../src/kernel/curve/measuring/measure.ts";
-import { Hand, handOf, spread, touch } from "./harness.ts";
+import { Hand, contoursOfPath, handOf, spread, touch } from "./harness.ts";
 
 /** Ellipses and rectangles drawn with their tools, through pointers and keys alone. */
 
@@ -254,6 +254,42 @@ test("as an interpolating contour an ellipse that was drawn is the same ellipse"
   assert.ok(ellipseError(hand.sample(1000, 1), [100, 150, 340, 310]) < 1e-12);
   assert.equal(hand.curve.contours[0], new Hand("blob-16").curve.contours[0], "the one that was there is as it was");
 });
+
+/** Whether a place is filled, by the path that Export writes and the rule that goes with it: a polygon of the path. */
+function isFilled(hand: Hand, x: number, y: number): boolean {
+  const around = hand.curve.contours.reduce((sum, _, c) => {
+    const [places, step] = [hand.sample(2000, c), 2];
+    let turn = 0;
+    for (let i = 0; i < places.length; i += step) {
+      const [ax, ay] = [(places[i] ?? 0) - x, (places[i + 1] ?? 0) - y];
+      const [bx, by] = [(places[(i + step) % places.length] ?? 0) - x, (places[(i + step + 1) % places.length] ?? 0) - y];
+      turn += Math.atan2(ax * by - ay * bx, ax * bx + ay * by);
+    }
+    return sum + Math.round(turn / (2 * Math.PI));
+  }, 0);
+  return hand.curve.filling === "nonzero" ? around !== 0 : around % 2 !== 0;
+}
+
+for (const way of ["clockwise", "counterclockwise"] as const) {
+  test(`in a drawing that the winding number fills, a shape within another is a hole, and one that laps over it one with it: ${way}`, async () => {
+    const [plate] = contoursOfPath(way === "clockwise" ? "M100 100H500V400H100Z" : "M100 100V400H500V100Z");
+    assert.ok(plate);
+    for (const shape of ["ellipse", "rectangle"] as const) {
+      const hand = await holding(shape, handOf([plate]));
+      hand.editor.dispatch({ name: "", apply: (curve) => ({ ...curve, filling: "nonzero" }) });
+      hand.drag({ x: 200, y: 150 }, 80, 80);
+      assert.ok(!isFilled(hand, 240, 190) && isFilled(hand, 300, 300), "a hole");
+      assert.match(hintFor(hand.editor.state.value), /cut out\. Reverse in its menu fills it/u);
+      hand.drag({ x: 220, y: 170 }, 40, 40);
+      assert.ok(isFilled(hand, 240, 190) && !isFilled(hand, 210, 190), "a mark in the hole");
+      hand.drag({ x: 450, y: 300 }, 100, 80);
+      assert.ok(isFilled(hand, 470, 340) && isFilled(hand, 530, 340) && isFilled(hand, 460, 310), "one shape");
+      assert.doesNotMatch(hintFor(hand.editor.state.value), /Reverse/u);
+      hand.click(390, 210);
+      assert.ok(!isFilled(hand, 390, 210), "a click's, too");
+    }
+  });
+}
 
 test("who clears a sample and draws has the comparison that explains the sample no longer, and can ask for it", async () => {
   const hand = new Hand();

@@ -1,7 +1,11 @@
+import { reversedContour } from "../../document/curve/contours.ts";
 import type { Contour, CurveDocument, PointRef } from "../../document/document.ts";
 import { boundsOf, samplePoints, type Bounds } from "../curve/samples.ts";
 
-/** Which contours make one shape, as people see it: an outline with the holes and the marks in it. */
+/**
+ * Which contours make one shape, as people see it: an outline with the holes and the marks in it; and which way round a
+ * new one becomes a hole.
+ */
 
 interface Place {
   readonly x: number;
@@ -15,22 +19,50 @@ interface Place {
 const sides = 24;
 const mostSides = 8192;
 
-/** Whether a closed contour goes round a place: by the winding number of a polygon of it. */
-function goesRound(curve: CurveDocument, contour: Contour, { x, y }: Place): boolean {
+/** How often a closed contour goes round each of some places, and which way: the winding numbers of a polygon of it. */
+function windingsOf(curve: CurveDocument, contour: Contour, places: readonly Place[]): number[] {
   const box = boundsOf(curve, contour);
-  if (!contour.closed || box === null || x < box.minX || x > box.maxX || y < box.minY || y > box.maxY) return false;
+  const isNear = ({ x, y }: Place): boolean => contour.closed && box !== null && x >= box.minX && x <= box.maxX && y >= box.minY && y <= box.maxY;
+  if (!places.some(isNear)) return places.map(() => 0);
   const polygon = samplePoints(curve, contour, Math.min(mostSides, sides * contour.points.length));
+  return places.map((place) => (isNear(place) ? windingOf(polygon, place) : 0));
+}
+
+function windingOf(polygon: Float64Array, { x, y }: Place): number {
   let winding = 0;
-  let [fromX, fromY] = polygon.subarray(-2);
+  let [fromX = NaN, fromY = NaN] = polygon.subarray(-2);
   for (let i = 0; i < polygon.length; i += 2) {
-    const [toX, toY] = [polygon[i], polygon[i + 1]];
-    if (fromX === undefined || fromY === undefined || toX === undefined || toY === undefined) return false;
+    const [toX = NaN, toY = NaN] = [polygon[i], polygon[i + 1]];
     const side = (toX - fromX) * (y - fromY) - (x - fromX) * (toY - fromY);
     if (fromY <= y && toY > y && side > 0) winding += 1;
     else if (fromY > y && toY <= y && side < 0) winding -= 1;
     [fromX, fromY] = [toX, toY];
   }
-  return winding !== 0;
+  return winding;
+}
+
+function goesRound(curve: CurveDocument, contour: Contour, at: Place): boolean {
+  return windingsOf(curve, contour, [at])[0] !== 0;
+}
+
+/**
+ * A new contour, the way round that makes of it what is meant where the winding number fills: a hole in what it lies
+ * within, and one shape with what it only laps over.
+ */
+export function turnedForFilling(curve: CurveDocument, contour: Contour): { readonly contour: Contour; readonly cuts: boolean } {
+  const own = windingsOf(curve, contour, [middleOf(contour)])[0] ?? 0;
+  if (curve.filling !== "nonzero" || own === 0) return { contour, cuts: false };
+  const below = curve.contours.filter(({ ink }) => ink === contour.ink).map((each) => windingsOf(curve, each, contour.points));
+  const windings = contour.points.map((_, i) => Math.sign(below.reduce((sum, each) => sum + (each[i] ?? 0), 0)));
+  const way = windings.find((each) => each !== 0);
+  if (way === undefined) return { contour, cuts: false };
+  const cuts = windings.every((each) => each === way);
+  return { contour: (Math.sign(own) === way) === cuts ? reversedContour(contour) : contour, cuts };
+}
+
+function middleOf({ points }: Contour): Place {
+  const sum = points.reduce((all, { x, y }) => ({ x: all.x + x, y: all.y + y }), { x: 0, y: 0 });
+  return { x: sum.x / points.length, y: sum.y / points.length };
 }
 
 function isWithin(box: Bounds, around: Bounds): boolean {

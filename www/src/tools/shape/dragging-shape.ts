@@ -48,7 +48,7 @@ export function dragShape(editor: Editor, start: PointerSample, shape: ShapeId):
   function end(): void {
     editor.commit();
     if (box === null) refuse(editor, "That had no width or no height. Drag from corner to corner.");
-    else sayDrawn(editor, shape, box);
+    else sayDrawn(editor, curve, shape, box);
   }
 
   const drag = curveDrag(editor, update, end);

@@ -1,8 +1,9 @@
 import type { Box } from "../../../document/artboard.ts";
 import { ellipseIn, rectangleIn } from "../../../document/curve/drawing/shapes.ts";
 import { addContours, type Command } from "../../../document/curve/commands.ts";
-import type { Contour, CurveDocument } from "../../../document/document.ts";
+import type { CurveDocument } from "../../../document/document.ts";
 import { decimalsIn, unitIn } from "../../../document/unit.ts";
+import { turnedForFilling } from "../../../kernel/paths/shapes.ts";
 import type { PagePoint } from "../../pointer/camera.ts";
 import type { Editor, EditorState, ToolId } from "../../editor.ts";
 import { gridOf } from "../../pointer/snapping.ts";
@@ -18,13 +19,13 @@ export function shapeOf({ tool, mode }: Pick<EditorState, "tool" | "mode">): Sha
   return mode === "curve" && (tool === "ellipse" || tool === "rectangle") ? tool : null;
 }
 
-function contourIn(curve: CurveDocument, shape: ShapeId, box: Box): Contour {
-  return shape === "ellipse" ? ellipseIn(curve, box) : rectangleIn(box);
+function drawnIn(curve: CurveDocument, shape: ShapeId, box: Box): ReturnType<typeof turnedForFilling> {
+  return turnedForFilling(curve, shape === "ellipse" ? ellipseIn(curve, box) : rectangleIn(box));
 }
 
 /** The shape that fills a box, the last of all contours, and chosen. */
 export function shapeIn(curve: CurveDocument, shape: ShapeId, box: Box): Command {
-  return addContours(names[shape], [contourIn(curve, shape, box)], true);
+  return addContours(names[shape], [drawnIn(curve, shape, box).contour], true);
 }
 
 /** "240 × 160", to a hundredth of the step that suits the size. */
@@ -33,9 +34,13 @@ export function sizeOf(box: Box): string {
   return `${printed(box.maxX - box.minX)} × ${printed(box.maxY - box.minY)}`;
 }
 
-/** Says what was drawn, and how to go on: the tool stays up for the next one. */
-export function sayDrawn(editor: Editor, shape: ShapeId, box: Box): void {
-  const made = `${names[shape]}, ${sizeOf(box)}.`;
+/**
+ * Says what was drawn into what was there, and how to go on: the tool stays up for the next one. Which way round a
+ * contour runs is not seen, so it is said where it makes a hole.
+ */
+export function sayDrawn(editor: Editor, before: CurveDocument, shape: ShapeId, box: Box): void {
+  const { cuts } = drawnIn(before, shape, box);
+  const made = `${names[shape]}, ${sizeOf(box)}${cuts ? ", cut out. Reverse in its menu fills it" : ""}.`;
   editor.patch({ hint: `${made} ${editor.state.value.touch ? "Choose Select" : "Press V"} to move, scale or rotate it.` });
   editor.notify({ kind: "announce", text: `${made} Added as contour ${editor.state.value.curve.contours.length}` });
 }
@@ -63,7 +68,7 @@ export function placeInView(editor: Editor): void {
   const size = usualSize(editor.state.value);
   const step = gridOf(editor.state.value) ?? size / 100;
   const isTaken = (box: Box): boolean => {
-    const [own] = contourIn(curve, shape, box).points;
+    const [own] = drawnIn(curve, shape, box).contour.points;
     return curve.contours.some(({ points: [first] }) => first?.x === own?.x && first?.y === own?.y);
   };
   const box = (times: number): Box => {
@@ -80,6 +85,7 @@ function boxAround({ x, y }: PagePoint, size: number): Box {
 }
 
 function placeIn(editor: Editor, shape: ShapeId, box: Box): void {
-  editor.dispatch(shapeIn(editor.state.value.curve, shape, box));
-  sayDrawn(editor, shape, box);
+  const { curve } = editor.state.value;
+  editor.dispatch(shapeIn(curve, shape, box));
+  sayDrawn(editor, curve, shape, box);
 }
