@@ -60,7 +60,7 @@ test("a link that unpacks to far more than it holds is refused while it unpacks"
   await fresh.page.locator('[data-error="share-bad"]').waitFor();
 });
 
-test("a drawing too large for a link says so and keeps the clipboard", async (t) => {
+test("a drawing too large for a link says so, keeps the clipboard and offers the file", async (t) => {
   const demo = await open(t, "", clipboard);
   await demo.page.evaluate(async () => {
     await navigator.clipboard.writeText("before");
@@ -73,6 +73,10 @@ test("a drawing too large for a link says so and keeps the clipboard", async (t)
   await demo.byId("btn-share").click();
   await demo.page.locator('[data-error="share-long"]').waitFor();
   assert.equal(await demo.page.evaluate(() => navigator.clipboard.readText()), "before");
+  const [file] = await Promise.all([demo.page.waitForEvent("download"), demo.byId("error").getByRole("button", { name: "Download JSON" }).click()]);
+  const saved = JSON.parse(await readFile(await file.path(), "utf8")) as { curve: unknown };
+  assertSame(saved.curve, (await demo.state()).curve);
+  assert.equal(await demo.byId("error").count(), 0, "it has been seen to");
 });
 
 /** Longer than the second after which a change is kept: to see that something is not. */

@@ -14,7 +14,7 @@ export interface PageIo {
   fileInText(text: string): Promise<File | null>;
   listenForIncoming(handlers: IncomingHandlers, until: AbortSignal): void;
   isShareLink(hash: string): boolean;
-  shareHash(state: DemoState): Promise<string>;
+  shareLink(state: DemoState): Promise<{ readonly hash: string; readonly alone: boolean }>;
   readShareHash(hash: string): Promise<DemoState>;
   gzippedSize(text: string): Promise<number>;
   writeSvg(options: FileLook & { title: string; d: string; box: Box | null }): Promise<string>;

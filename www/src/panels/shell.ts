@@ -12,13 +12,20 @@ export interface Regions {
 }
 
 /** Short messages over the stage. */
+export interface Offer {
+  readonly label: string;
+  readonly lasting?: boolean;
+  run(): void;
+}
+
 export interface Toasts {
   /**
    * With an action: a button that does it and takes the toast away. The offer goes with the next step unless it is
    * `lasting`.
    */
-  say(text: string, action?: { readonly label: string; readonly lasting?: boolean; run(): void }): void;
-  error(id: string, text: string): void;
+  say(text: string, action?: Offer): void;
+  /** An offer made in it is the way out. */
+  error(id: string, text: string, action?: Offer): void;
 }
 
 /** What every panel is handed. */

@@ -65,8 +65,9 @@ export function createAutosave(session: string, { read, busy, abandon, failing, 
     return newest === null || keepNow(newest);
   };
   const touch = (): void => {
-    // From the first change that is not kept yet, so that steady work is kept every second, not never.
-    timer ??= setTimeout(take, delayMs);
+    // From the first change that is not kept yet, so that steady work is kept every second, not never. The very first
+    // has waited for this part of the page already, and until it is kept there is nothing to come back to.
+    timer ??= setTimeout(take, generation === 0 && !busy() ? 0 : delayMs);
   };
   document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && leave(), { signal: until });
   window.addEventListener("pagehide", () => {

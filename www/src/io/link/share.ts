@@ -2,10 +2,12 @@
  * Links: the state after `#s=`, as base64url of raw deflate of JSON. Nothing leaves the page, and a server never sees
  * it.
  */
-import type { DemoState } from "../../document/document.ts";
+import { emptyCurve, type DemoState } from "../../document/document.ts";
 import { parseState } from "../../document/file/file.ts";
+import { emptyFit } from "../../document/fit/fit.ts";
 import { Problem } from "../../document/problem.ts";
-import { isEmptyTrace } from "../../document/trace/trace.ts";
+import { emptySurface } from "../../document/surface/surface.ts";
+import { emptyTrace, isEmptyTrace } from "../../document/trace/trace.ts";
 import { deflate, inflate } from "./compress.ts";
 import { isShareLink, linkPrefix } from "./link.ts";
 
@@ -22,12 +24,31 @@ function worthSharing(state: DemoState): object {
   return { ...rest, ...(isOwn ? { fit: short } : {}), ...(isEmptyTrace(trace) ? {} : { trace }), ...(surface.net.length > 0 ? { surface } : {}) };
 }
 
+/** What is in the mode that is shown, and the others as they are before anybody has been there. */
+function shownAlone(state: DemoState): DemoState {
+  return { ...state, curve: emptyCurve, fit: emptyFit, trace: emptyTrace, surface: emptySurface, [state.mode]: state[state.mode] };
+}
+
+async function packed(state: DemoState): Promise<string> {
+  return linkPrefix + toBase64Url(await deflate(new TextEncoder().encode(JSON.stringify(worthSharing(state)))));
+}
+
 /** @throws Problem `share-long` when the link would not fit everywhere. */
 export async function shareHash(state: DemoState): Promise<string> {
-  const packed = await deflate(new TextEncoder().encode(JSON.stringify(worthSharing(state))));
-  const hash = linkPrefix + toBase64Url(packed);
+  const hash = await packed(state);
   if (hash.length > mostLinkBytes) throw new Problem("share-long", { kilobytes: Math.ceil(hash.length / 1024) });
   return hash;
+}
+
+/**
+ * The link to everything; where that is too much, to what is in the mode that is shown.
+ *
+ * @throws Problem `share-long` when even that would not fit everywhere.
+ */
+export async function shareLink(state: DemoState): Promise<{ readonly hash: string; readonly alone: boolean }> {
+  const hash = await packed(state);
+  if (hash.length <= mostLinkBytes) return { hash, alone: false };
+  return { hash: await shareHash(shownAlone(state)), alone: true };
 }
 
 /** @throws Problem `share-bad` for whatever is wrong with it. */

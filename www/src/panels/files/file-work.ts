@@ -80,11 +80,12 @@ export async function svgCut(shell: Shell): Promise<Copy | null> {
 }
 
 export async function linkCopy({ editor, io, toasts }: Shell): Promise<Copy> {
-  const hash = await io.shareHash(editor.getState());
+  const { hash, alone } = await io.shareLink(editor.getState());
   const url = new URL(window.location.href);
   url.search = "";
   url.hash = hash;
-  return { text: url.href, done: () => toasts.say("Link copied. It contains the whole drawing; nothing was uploaded.") };
+  const holds = alone ? `what is in ${editor.actions.get(`mode-${editor.state.value.mode}`)?.label ?? "this mode"}; with the other modes it would be too long` : "the whole drawing";
+  return { text: url.href, done: () => toasts.say(`Link copied. It contains ${holds}; nothing was uploaded.`) };
 }
 
 /** Says what has become of a copy that the clipboard was asked to take. */

@@ -10,7 +10,8 @@ export function report(shell: Shell, ...errors: readonly unknown[]): void {
   const [first] = problems;
   if (first === undefined) return;
   whenLoaded(shell.editor, import("../messages/file-errors.ts"), ({ problemText }) => {
-    shell.toasts.error(first.id, [...new Set(problems.map(({ id, details }) => problemText(id, details)))].join(" "));
+    const wayOut = first.id === "share-long" ? { label: "Download JSON", run: () => void shell.editor.actions.run("save-json") } : undefined;
+    shell.toasts.error(first.id, [...new Set(problems.map(({ id, details }) => problemText(id, details)))].join(" "), wayOut);
   });
 }
 

@@ -23,17 +23,18 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
     list.append(toast);
     while (list.children.length > mostShown) list.firstElementChild?.remove();
   };
-  const closeButton = (toast: () => HTMLElement): HTMLButtonElement =>
-    h("button", { class: "icon-button", type: "button", "aria-label": "Dismiss", click: () => toast().remove() }, icon("close"));
+  const addButtons = (toast: HTMLElement, action: Parameters<Toasts["say"]>[1]): void => {
+    const button = (looks: string, name: string, inner: Node | string, run?: () => void): HTMLButtonElement =>
+      h("button", { class: looks, type: "button", "aria-label": name, click: () => { toast.remove(); run?.(); } }, inner);
+    if (action !== undefined) toast.append(button("toast-action", action.label, action.label, action.run));
+    toast.append(button("icon-button", "Dismiss", icon("close")));
+  };
 
   const show = (...[text, action]: Parameters<Toasts["say"]>): HTMLElement => {
     news.querySelectorAll("[data-testid=toast]").forEach((old) => old.removeAttribute("data-testid"));
     const toast: HTMLElement = h("div", { class: "toast", testid: "toast" }, h("p", {}, text));
     if (action !== undefined) {
-      toast.append(
-        h("button", { class: "toast-action", type: "button", click: () => { toast.remove(); action.run(); } }, action.label),
-        closeButton(() => toast),
-      );
+      addButtons(toast, action);
     }
     errors.replaceChildren();
     // What is offered is offered of the last that was done.
@@ -44,10 +45,10 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
     leaveLater(toast, action === undefined ? shownForMs : 3 * shownForMs);
     return toast;
   };
-  const error: Toasts["error"] = (id, text) => {
+  const error: Toasts["error"] = (id, text, action) => {
     errors.replaceChildren();
     const toast: HTMLElement = h("div", { class: "toast toast-error", testid: "error", "data-error": id, role: "alert" }, icon("warn"), h("p", {}, text));
-    toast.append(closeButton(() => toast));
+    addButtons(toast, action);
     add(errors, toast);
   };
   editor.notices.subscribe((notice: Notice | null) => {
