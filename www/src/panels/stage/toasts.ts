@@ -24,10 +24,8 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
     while (list.children.length > mostShown) list.firstElementChild?.remove();
   };
   const addButtons = (toast: HTMLElement, action: Parameters<Toasts["say"]>[1]): void => {
-    const button = (looks: string, name: string, inner: Node | string, run?: () => void): HTMLButtonElement =>
-      h("button", { class: looks, type: "button", "aria-label": name, click: () => { toast.remove(); run?.(); } }, inner);
-    if (action !== undefined) toast.append(button("toast-action", action.label, action.label, action.run));
-    toast.append(button("icon-button", "Dismiss", icon("close")));
+    if (action !== undefined) toast.append(h("button", { class: "toast-action", type: "button", click: () => { toast.remove(); action.run(); } }, action.label));
+    toast.append(h("button", { class: "icon-button", type: "button", "aria-label": "Dismiss", click: () => toast.remove() }, icon("close")));
   };
 
   const show = (...[text, action]: Parameters<Toasts["say"]>): HTMLElement => {
