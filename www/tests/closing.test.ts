@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { before, test } from "node:test";
 import init, { parsePath } from "expline/slim";
 import * as icons from "simple-icons";
-import { joined } from "../src/document/curve/contours.ts";
+import { joined } from "../src/document/curve/whole/rearranging.ts";
 import { emptyCurve, type Contour } from "../src/document/document.ts";
 import { curveOf } from "../src/kernel/curve/curve-cache.ts";
 import { closedByLine, joinedNearly, nearIn } from "../src/kernel/paths/closing.ts";

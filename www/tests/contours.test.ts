@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { joined, locate, reversedContour, startedAt, withClosed, withoutPoints } from "../src/document/curve/contours.ts";
+import { locate } from "../src/document/curve/contours.ts";
+import { joined, reversedContour, startedAt, withClosed, withoutPoints } from "../src/document/curve/whole/rearranging.ts";
 import { loweredContour } from "../src/document/curve/lowered.ts";
 import { segmentCount, type Contour, type CurveDocument } from "../src/document/document.ts";
 import { curveSample } from "../src/document/curve/samples.ts";

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openPart, reversedContour, translated, withPinnedOmega } from "../src/document/curve/contours.ts";
+import { translated } from "../src/document/curve/contours.ts";
+import { openPart, reversedContour, withPinnedOmega } from "../src/document/curve/whole/rearranging.ts";
 import { curveSample } from "../src/document/curve/samples.ts";
 import type { Contour, CurveDocument, PointRef } from "../src/document/document.ts";
 import { loadCurve } from "../src/editor/curve/edits.ts";

@@ -1,4 +1,4 @@
-import { automaticHandles, reversedContour, startedAt, translated, withClosed } from "./contours.ts";
+import { automaticHandles, translated } from "./contours.ts";
 import {
   nothingSelected, type Contour, type ControlPoint, type CurveDocument, type Kind, type Offset, type PointRef, type Selection, type Side,
   type Space,
@@ -61,7 +61,8 @@ function chosenIn({ points }: Selection): Map<number, number[]> {
   return chosen;
 }
 
-function only(point: PointRef): Selection {
+/** One point, chosen. */
+export function only(point: PointRef): Selection {
   return { points: [point], handle: null };
 }
 
@@ -123,38 +124,6 @@ export function resetHandles(selection: Selection): Command {
   };
 }
 
-export function closeContour(index: number, closed: boolean): Command {
-  return {
-    name: closed ? "Close contour" : "Open contour",
-    apply: (curve) => {
-      const contour = curve.contours[index];
-      return contour === undefined ? curve : replaceContour(curve, index, withClosed(curve, contour, closed));
-    },
-  };
-}
-
-export function reverseContour(index: number): Command {
-  return {
-    name: "Reverse",
-    apply: (curve) => {
-      const contour = curve.contours[index];
-      return contour === undefined ? curve : replaceContour(curve, index, reversedContour(contour));
-    },
-    select: nothingSelected,
-  };
-}
-
-export function startContourAt(ref: PointRef): Command {
-  return {
-    name: "Start here",
-    apply: (curve) => {
-      const contour = curve.contours[ref.contour];
-      return contour === undefined ? curve : replaceContour(curve, ref.contour, startedAt(contour, ref.index));
-    },
-    select: only({ contour: ref.contour, index: 0 }),
-  };
-}
-
 /** The document's frequency for every contour: what contours had of their own is dropped. */
 export function setOmega(omega: number | "auto", run?: string): Command {
   return {
@@ -186,35 +155,4 @@ export function clearCurve(): Command {
 
 export function replaceCurve(name: string, curve: CurveDocument): Command {
   return { name, apply: () => curve, select: nothingSelected };
-}
-
-/** More than this would hide what was added under the marks of its being chosen. */
-const mostChosen = 64;
-
-/** Adds contours; `choose` chooses their points, so that they can be moved at once. */
-export function addContours(name: string, contours: readonly Contour[], choose: boolean): Command {
-  const points = contours.reduce((sum, contour) => sum + contour.points.length, 0);
-  return {
-    name,
-    apply: (curve) => ({ ...curve, contours: [...curve.contours, ...contours] }),
-    select: (after) => (choose && points <= mostChosen ? lastContours(after, contours.length) : nothingSelected),
-  };
-}
-
-function lastContours(curve: CurveDocument, count: number): Selection {
-  const first = curve.contours.length - count;
-  const points = curve.contours.slice(first).flatMap((contour, k) => contour.points.map((_, index) => ({ contour: first + k, index })));
-  return { points, handle: null };
-}
-
-/** Copies of the chosen contours' points, moved a little so that they can be seen. */
-export function duplicateContours(indices: readonly number[], by: number): { copies: (curve: CurveDocument) => Contour[] } {
-  return {
-    copies: (curve) =>
-      indices.flatMap((index) => {
-        const contour = curve.contours[index];
-        if (contour === undefined) return [];
-        return [{ ...contour, points: contour.points.map((point) => ({ ...point, x: point.x + by, y: point.y + by })) }];
-      }),
-  };
 }

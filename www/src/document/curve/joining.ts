@@ -2,7 +2,7 @@ import {
   domainLength, isEnd, lengthOf, samePoint, segmentCount, type Contour, type ControlPoint, type CurveDocument, type PointRef, type Space,
 } from "../document.ts";
 import { replaceContour, type Command } from "./commands.ts";
-import { joined, reversedContour, withClosed, withPinnedOmega } from "./contours.ts";
+import { joined, reversedContour, withClosed, withPinnedOmega } from "./whole/rearranging.ts";
 import { kindOf } from "./offset.ts";
 
 /** Two open ends become one contour. */

@@ -1,5 +1,6 @@
-import { addContours, closeContour, duplicateContours, replaceContour, reverseContour, startContourAt, type Command } from "../../document/curve/commands.ts";
-import { withoutPoints } from "../../document/curve/contours.ts";
+import { replaceContour, type Command } from "../../document/curve/commands.ts";
+import { addContours, closeContour, duplicateContours, reverseContour, startContourAt } from "../../document/curve/whole/commands.ts";
+import { withoutPoints } from "../../document/curve/whole/rearranging.ts";
 import { baseCount, lengthOf, nothingSelected, segmentCount, type Contour, type PointRef, type Selection } from "../../document/document.ts";
 import { healed, inserted, resampled } from "../../kernel/curve/points/contours.ts";
 import { withoutPlaces } from "../../kernel/curve/fine-places.ts";

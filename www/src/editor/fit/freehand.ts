@@ -1,4 +1,4 @@
-import { addContours } from "../../document/curve/commands.ts";
+import { addContours } from "../../document/curve/whole/commands.ts";
 import { differentPoints, isJoined, type Pair } from "../../document/fit/fit.ts";
 import { contourOfFit } from "../../kernel/fit/as-contour.ts";
 import { createFitClient, isTooFew, type FitClient, type FitHandlers } from "../../kernel/fit/fit-client.ts";

@@ -2,7 +2,8 @@ import { BSplineCurve, InterpolatingCurve } from "expline/slim";
 import { baseCount, type Contour, type ControlPoint, type CurveDocument } from "../../document/document.ts";
 import { rootsOf, supportOf } from "../../document/curve/roots.ts";
 import type { Root } from "../../document/surface/surface.ts";
-import { plainPoint, withClosed } from "../../document/curve/contours.ts";
+import { plainPoint } from "../../document/curve/contours.ts";
+import { withClosed } from "../../document/curve/whole/rearranging.ts";
 import { curveOf } from "./curve-cache.ts";
 import { largestMove, within } from "./samples.ts";
 

@@ -1,4 +1,4 @@
-import { joined } from "../../document/curve/contours.ts";
+import { joined } from "../../document/curve/whole/rearranging.ts";
 import { kindOf } from "../../document/curve/offset.ts";
 import { closedByChord } from "../../document/curve/parts.ts";
 import type { Contour, ControlPoint } from "../../document/document.ts";

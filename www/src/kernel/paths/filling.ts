@@ -1,4 +1,4 @@
-import { reversedContour } from "../../document/curve/contours.ts";
+import { reversedContour } from "../../document/curve/whole/rearranging.ts";
 import { paintLayers } from "../../document/paint-layers.ts";
 import { isAlike, noInk, paintOf, runsOf } from "../../document/painted.ts";
 import { emptyCurve, type Contour, type CurveDocument, type Filling, type Painted, type Space } from "../../document/document.ts";

@@ -1,5 +1,5 @@
 import { HermiteCurve, parsePath } from "expline/slim";
-import { joined } from "../../document/curve/contours.ts";
+import { joined } from "../../document/curve/whole/rearranging.ts";
 import type { Contour, Space } from "../../document/document.ts";
 import { Problem } from "../../document/problem.ts";
 import { contourFrom } from "../curve/points/contours.ts";

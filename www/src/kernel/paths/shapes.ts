@@ -1,4 +1,4 @@
-import { reversedContour } from "../../document/curve/contours.ts";
+import { reversedContour } from "../../document/curve/whole/rearranging.ts";
 import type { Contour, CurveDocument, PointRef } from "../../document/document.ts";
 import { boundsOf, samplePoints, type Bounds } from "../curve/samples.ts";
 

@@ -1,5 +1,5 @@
 import type { Contour, CurveDocument } from "../../document/document.ts";
-import { duplicateContours } from "../../document/curve/commands.ts";
+import { duplicateContours } from "../../document/curve/whole/commands.ts";
 import { addDrawing } from "../../editor/curve/adding/drawing.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { toScreen } from "../../editor/pointer/camera.ts";

@@ -1,4 +1,5 @@
-import { replaceContour, reverseContour, type Command } from "../../document/curve/commands.ts";
+import { replaceContour, type Command } from "../../document/curve/commands.ts";
+import { reverseContour } from "../../document/curve/whole/commands.ts";
 import { pullHandles, startName } from "../../document/curve/drawing/points.ts";
 import { pointAt, type Offset, type PointRef } from "../../document/document.ts";
 import { mostPoints, refuse } from "../../editor/curve/edits.ts";

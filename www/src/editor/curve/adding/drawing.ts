@@ -1,5 +1,6 @@
 import type { Setting } from "../../../document/artboard.ts";
-import { addContours, cleared } from "../../../document/curve/commands.ts";
+import { cleared } from "../../../document/curve/commands.ts";
+import { addContours } from "../../../document/curve/whole/commands.ts";
 import { filledTogether, type FilledDrawing } from "../../../kernel/paths/filling.ts";
 import type { Editor } from "../../editor.ts";
 

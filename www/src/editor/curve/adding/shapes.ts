@@ -1,6 +1,7 @@
 import type { Box } from "../../../document/artboard.ts";
 import { ellipseIn, rectangleIn } from "../../../document/curve/drawing/shapes.ts";
-import { addContours, type Command } from "../../../document/curve/commands.ts";
+import { type Command } from "../../../document/curve/commands.ts";
+import { addContours } from "../../../document/curve/whole/commands.ts";
 import type { CurveDocument } from "../../../document/document.ts";
 import { decimalsIn, unitIn } from "../../../document/unit.ts";
 import { turnedForFilling } from "../../../kernel/paths/shapes.ts";
