@@ -434,14 +434,14 @@ test("the pen goes on from an end, joins the end of another path, and says so be
 
 test("the menu of a point has what can be done with it, and nothing that would be refused", async (t) => {
   const demo = await open(t, "#/curve?sample=sine");
-  const itemsOf = async (id: string): Promise<string[]> => {
-    const { x, y } = await demo.centre(id);
+  const itemsAt = async ({ x, y }: Place): Promise<string[]> => {
     await demo.page.mouse.click(x, y, { button: "right" });
     await demo.byId("context-menu").waitFor();
     const items = await demo.byId("context-menu").getByRole("menuitem").evaluateAll((all) => all.map((each) => (each.getAttribute("data-testid") ?? "").replace("menu-", "")));
     await demo.press("Escape");
     return items;
   };
+  const itemsOf = async (id: string): Promise<string[]> => itemsAt(await demo.centre(id));
   const always = ["delete", "delete-open", "reverse", "select-contour", "copy", "duplicate"];
   const handles = ["smooth", "symmetric", "cusp", "reset-handles"];
   const sorted = (all: string[]): string[] => [...all].sort();
@@ -453,6 +453,13 @@ test("the menu of a point has what can be done with it, and nothing that would b
   await demo.idle();
   assert.deepEqual(sorted(await itemsOf("pt-0-0")), sorted(always));
   assert.deepEqual(sorted(await itemsOf("pt-0-3")), sorted([...always, "start-here"]));
+  // Inside of what is chosen as a whole, what can be done with all of it; beside it, what can be done with the drawing.
+  await demo.focusStage();
+  await demo.press("Control+a");
+  const inside = await demo.toScreen(400, 300);
+  const whole = ["copy", "cut", "paste", "duplicate", "delete", "flip-across", "flip-down", "turn-right", "turn-left", "reverse", "zoom-chosen"];
+  assert.deepEqual(await itemsAt(inside), whole);
+  assert.deepEqual(await itemsAt(await demo.centre("zoom-out").then(({ x, y }) => ({ x: x - 60, y: y - 60 }))), ["paste", "copy", "zoom-fit", "select-all"]);
 });
 
 test("the menu is in sight to its last item on a phone held across, without keys for who has none", async (t) => {

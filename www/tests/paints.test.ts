@@ -14,7 +14,7 @@ import { pngPaths } from "../src/io/picture/png.ts";
 import { inkOfFiles, writeSvg } from "../src/io/svg/svg-write.ts";
 import { exportPath, writePath } from "../src/kernel/paths/export.ts";
 import { inkedContours, outcomeOfKept } from "../src/kernel/trace/outcome.ts";
-import { Hand } from "./harness.ts";
+import { Hand, contoursOfPath, handOf } from "./harness.ts";
 
 /** Areas in colours: what a traced picture is in Curve. */
 
@@ -193,4 +193,24 @@ test("a colour that is none is refused, with its place", () => {
     const text = JSON.stringify({ ...state, curve: { ...state.curve, contours: state.curve.contours.map((contour) => ({ ...contour, ink: strange })) } });
     assert.throws(() => parseState(text), (error: unknown) => error instanceof FileError && error.message.includes("$.curve.contours[0].ink"), text);
   }
+});
+
+test("what is chosen goes over all colours or below them, stays chosen, and is one step of the history", async () => {
+  const [square, dot, hole] = contoursOfPath("M0 0H90V90H0ZM30 30H60V60H30ZM40 40H50V50H40Z");
+  assert.ok(square && dot && hole);
+  const hand = handOf([{ ...square, ink: "#204080" }, { ...dot, ink: "#ffcc00" }, { ...hole, ink: "#ffcc00" }]);
+  const chosen = [...dot.points.map((_, index) => ({ contour: 1, index })), ...hole.points.map((_, index) => ({ contour: 2, index }))];
+  hand.editor.patch({ selection: { points: chosen, handle: null } });
+  const firsts = (): number[] => hand.curve.contours.map(({ points }) => points[0]?.x ?? NaN);
+  const runs = (): (string | undefined)[] => paintLayers(hand.curve).map(({ ink: color }) => color);
+  hand.run("to-back");
+  assert.deepEqual([firsts(), runs()], [[30, 40, 0], ["#ffcc00", "#204080"]]);
+  assert.deepEqual([...new Set(hand.selected.map((ref) => ref[0]))], ["0", "1"]);
+  hand.run("to-front");
+  assert.deepEqual([firsts(), runs()], [[0, 30, 40], ["#204080", "#ffcc00"]]);
+  assert.deepEqual(hand.editor.state.value.undoName, "Bring to front");
+  hand.run("undo").run("undo");
+  assert.deepEqual(firsts(), [0, 30, 40]);
+  const plain = new Hand("glyph").run("select-all");
+  assert.equal(plain.editor.actions.get("to-front")?.enabled?.(plain.editor.state.value), false, "of one paint nothing lies over anything");
 });

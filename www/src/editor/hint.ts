@@ -101,7 +101,7 @@ function selectHint(state: EditorState): string {
       if (curve.contours[state.selection.points[0]?.contour ?? 0]?.family === "interpolating") {
         return `Drag a point: only nearby segments change. ${touch ? "Drag elsewhere to move the view, two fingers to zoom." : "Drag across empty space to select."}`;
       }
-      if (touch) return "Drag a point or a handle. Drag elsewhere to move the view, two fingers to zoom.";
+      if (touch) return `${state.selection.points.length > 1 ? "Drag inside a selected shape to move it" : "Drag a point or a handle"}. Drag elsewhere to move the view, two fingers to zoom.`;
       switch (state.selection.points.length) {
         case 0:
           return "Drag a point or a handle, or across points to select them. Double-click inside a shape for all of it.";

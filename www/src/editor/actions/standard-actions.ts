@@ -38,6 +38,9 @@ function reverseHere(editor: Editor): void {
   renewing(editor, ({ reverse }) => (hover.kind === "curve" ? reverse(editor, [hover.contour]) : reverse(editor)));
 }
 
+/** What lies over what is seen only where there are colours. */
+const isStacked = (state: EditorState): boolean => hasSelection(state) && state.curve.contours.some(({ ink }) => ink !== undefined);
+
 const byLevels = (by: number) => (editor: Editor): void => levelling(editor, ({ setLevel }) => setLevel(editor, editor.state.value.curve.level + by));
 
 /** An action that is loaded with all that change which points there are. */
@@ -45,7 +48,7 @@ function renewal(id: string, label: string, group: Action["group"], keys: readon
   return action(id, label, group, keys, (editor) => renewing(editor, (edits) => edits[edit](editor)), { enabled });
 }
 
-type Renewal = "insertAfterSelected" | "deleteAndHeal" | "deleteAndOpen" | "startHere" | "duplicate";
+type Renewal = "insertAfterSelected" | "deleteAndHeal" | "deleteAndOpen" | "startHere" | "duplicate" | "toFront" | "toBack";
 
 function stageCentre(state: EditorState): ScreenPoint {
   return { x: state.stage.width / 2, y: state.stage.height / 2 };
@@ -141,6 +144,8 @@ const editing: readonly Action[] = [
     { enabled: (state) => hasSelection(state) || (inCurve(state) && state.hover.kind === "curve") },
   ),
   renewal("duplicate", "Duplicate contour", "Edit", ["Mod+D"], "duplicate", hasSelection),
+  renewal("to-front", "Bring to front", "Edit", [], "toFront", isStacked),
+  renewal("to-back", "Send to back", "Edit", [], "toBack", isStacked),
   action("clear", "Clear", "Edit", [], clearCurve, { enabled: hasCurve }),
 ];
 

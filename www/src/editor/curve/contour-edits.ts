@@ -1,5 +1,5 @@
 import { replaceContour, type Command } from "../../document/curve/commands.ts";
-import { addContours, closeContour, duplicateContours, reverseContour, startContourAt } from "../../document/curve/whole/commands.ts";
+import { addContours, closeContour, duplicateContours, reverseContour, startContourAt, restacked } from "../../document/curve/whole/commands.ts";
 import { withoutPoints } from "../../document/curve/whole/rearranging.ts";
 import { baseCount, lengthOf, nothingSelected, segmentCount, type Contour, type PointRef, type Selection } from "../../document/document.ts";
 import { healed, inserted, resampled } from "../../kernel/curve/points/contours.ts";
@@ -175,6 +175,18 @@ export function duplicate(editor: Editor): void {
   if (indices.length === 0) return;
   const copies = duplicateContours(indices, 16 / view.zoom).copies(curve);
   editor.dispatch(addContours("Duplicate", copies, true));
+}
+
+function restack(editor: Editor, end: "front" | "back"): void {
+  editor.dispatch(restacked([...chosenByContour(editor.state.value.selection).keys()], editor.state.value.selection, end));
+}
+
+export function toFront(editor: Editor): void {
+  restack(editor, "front");
+}
+
+export function toBack(editor: Editor): void {
+  restack(editor, "back");
 }
 
 export function reverse(editor: Editor, indices = activeContours(editor.state.value)): void {

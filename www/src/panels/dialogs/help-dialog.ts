@@ -23,6 +23,7 @@ const gesturesOf: Readonly<Record<Mode, readonly Gesture[]>> = {
     ["Double-click a point", "switches between smooth and cusp"],
     ["Double-click inside a shape", "selects all of it, with a frame to scale and rotate"],
     ["Drag across empty space", "selects; Shift adds, Alt subtracts"],
+    ["Drag inside a selected shape", "moves all of it; Alt-drag copies it"],
     ["Drag a grip on the frame", "scales or rotates whole contours exactly; Shift keeps proportions"],
     ["Shift or Alt with arrow keys", "nudges by 10 or by 0.1"],
     ["Right-click, long press", "opens a menu for what is there"],

@@ -1,6 +1,10 @@
 import "../../styles/menu.css";
 import { isEnd, isSelected, samePoint, type CurveDocument, type PointRef } from "../../document/document.ts";
+import { isInsideFramed, nearestGrip } from "../../editor/curve/framing.ts";
 import type { Action, Editor, Target } from "../../editor/editor.ts";
+import { toPage } from "../../editor/pointer/camera.ts";
+import { placeOf } from "../../editor/pointer/dom-record.ts";
+import { reachOf } from "../../editor/pointer/hit-test.ts";
 import { h } from "../controls/dom.ts";
 import { printedKey } from "../shell.ts";
 
@@ -16,6 +20,14 @@ function itemsForPoint(curve: CurveDocument, point: PointRef): readonly string[]
   ];
 }
 
+/** Of contours that are chosen as a whole, their frame or its inside takes the press where nothing else does. */
+function withFrame(editor: Editor, over: Target, event: MouseEvent): Target {
+  const { value: state } = editor.state;
+  const at = placeOf(event, editor);
+  const isFramed = over.kind === "empty" && (isInsideFramed(state, toPage(state.view, state.stage, at)) || nearestGrip(state, at, reachOf.touch) !== null);
+  return isFramed ? { kind: "grip", grip: "inside", cursor: "", hint: "" } : over;
+}
+
 /** What can be done with what is under the pointer. */
 function itemsFor(over: Target, curve: CurveDocument): readonly string[] {
   const { contours } = curve;
@@ -27,22 +39,25 @@ function itemsFor(over: Target, curve: CurveDocument): readonly string[] {
     case "curve":
       return ["insert-here", "reverse", "select-contour"];
     case "grip":
-      return ["flip-across", "flip-down", "turn-right", "turn-left", "copy", "duplicate", "reverse"];
+      return ["copy", "cut", "paste", "duplicate", "delete", "to-front", "to-back", "flip-across", "flip-down", "turn-right", "turn-left", "reverse", "zoom-chosen"];
     case "empty":
       return contours.length > 0 ? ["paste", "copy", "zoom-fit", "select-all"] : ["paste", "samples"];
   }
 }
 
 /** The menu of what is under the pointer, which is chosen if it is a point. */
-export function openMenuOver(editor: Editor, over: Target, { clientX, clientY }: MouseEvent): void {
+export function openMenuOver(editor: Editor, under: Target, event: MouseEvent): void {
   const { selection } = editor.state.value;
+  const over = withFrame(editor, under, event);
   const point = over.kind === "point" ? over.point : over.kind === "handle" ? { contour: over.handle.contour, index: over.handle.index } : null;
   // Of several chosen points, it is the one under the pointer that something is done at.
   const others = point !== null && isSelected(selection, point) ? selection.points.filter((each) => !samePoint(each, point)) : [];
   if (point !== null) editor.patch({ selection: { ...(others.length > 0 ? selection : { handle: null }), points: [point, ...others] } });
   const state = editor.state.value;
-  const actions = itemsFor(over, state.curve).flatMap((id) => editor.actions.get(id) ?? []).filter((action) => action.enabled?.(state) !== false);
-  if (actions.length > 0) openMenu(clientX, clientY, actions, (id) => {
+  const known = itemsFor(over, state.curve).flatMap((id) => editor.actions.get(id) ?? []).filter((action) => action.enabled?.(state) !== false);
+  // Where all of a contour goes, there is nothing to heal.
+  const actions = known.map((action) => (over.kind === "grip" && action.id === "delete" ? { ...action, label: "Delete" } : action));
+  if (actions.length > 0) openMenu(event.clientX, event.clientY, actions, (id) => {
     // The pointer has left the stage for the menu; what is chosen is done where the menu was opened.
     editor.patch({ hover: over });
     editor.actions.run(id);

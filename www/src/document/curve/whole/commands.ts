@@ -66,3 +66,21 @@ export function duplicateContours(indices: readonly number[], by: number): { cop
       }),
   };
 }
+
+/** Some contours over all others, or below them; the order among them stays, and what is chosen stays chosen. */
+export function restacked(indices: readonly number[], selection: Selection, end: "front" | "back"): Command {
+  const orderOf = ({ contours }: CurveDocument): number[] => {
+    const all = [...contours.keys()];
+    const [some, others] = [all.filter((index) => indices.includes(index)), all.filter((index) => !indices.includes(index))];
+    return end === "front" ? [...others, ...some] : [...some, ...others];
+  };
+  return {
+    name: end === "front" ? "Bring to front" : "Send to back",
+    apply: (curve) => ({ ...curve, contours: orderOf(curve).flatMap((index) => curve.contours[index] ?? []) }),
+    select(after) {
+      // As many as before, so in the same order.
+      const order = orderOf(after);
+      return { points: selection.points.map(({ contour, index }) => ({ contour: order.indexOf(contour), index })), handle: null };
+    },
+  };
+}
