@@ -7,6 +7,7 @@ import { framing, shaping } from "../src/editor/curve/on-demand.ts";
 import { hintFor } from "../src/editor/hint.ts";
 import { openSample } from "../src/editor/route.ts";
 import { toScreen } from "../src/editor/pointer/camera.ts";
+import { openState } from "../src/panels/files/report.ts";
 import { writePath } from "../src/kernel/paths/export.ts";
 import { measureCurve } from "../src/kernel/curve/measuring/measure.ts";
 import { Hand, contoursOfPath, handOf, spread, touch } from "./harness.ts";
@@ -299,6 +300,16 @@ test("who clears a sample and draws has the comparison that explains the sample 
   (await holding("ellipse", hand.run("clear"))).drag({ x: 100, y: 100 }, 80, 60);
   assert.ok(!compares());
   assert.ok((hand.run("overlay-bezier"), compares()));
+
+  // The page has begun with the sample when what was kept comes back.
+  const next = new Hand();
+  openSample(next.editor, "circle-2");
+  const landing = next.editor.getState();
+  const shell = { editor: next.editor } as Parameters<typeof openState>[0];
+  assert.ok(openState(shell, hand.editor.getState(), true));
+  assert.ok(!next.editor.state.value.settings.overlays.bezier);
+  assert.ok(openState(shell, landing, true));
+  assert.ok(next.editor.state.value.settings.overlays.bezier, "a fresh start is the lesson again");
 });
 
 test("frames, levels, points and other families take an ellipse that was drawn like every other contour", async () => {

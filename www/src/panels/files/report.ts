@@ -1,4 +1,5 @@
 import type { DemoState } from "../../document/document.ts";
+import { curveSample } from "../../document/curve/samples.ts";
 import { Problem } from "../../document/problem.ts";
 import { whenLoaded } from "../../editor/loading.ts";
 import { asProblem } from "../messages/errors.ts";
@@ -21,6 +22,8 @@ export function openState(shell: Shell, state: DemoState, fresh: boolean): boole
     // What is said of the drawing before, as of the sample that a page begins with, is not said of this one.
     shell.editor.patch({ hint: "" });
     shell.editor.setState(state, { fresh });
+    // It belongs to a sample's lesson, and the page begins with one.
+    shell.editor.setOverlay("bezier", curveSample(state.curve.sample ?? "")?.overlays.includes("bezier") === true);
     return true;
   } catch {
     report(shell, new Problem("share-bad"));

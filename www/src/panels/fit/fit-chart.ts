@@ -40,7 +40,8 @@ export function chartSection(shell: Shell): Section {
       drawn = fitRun.chart;
       const { chart } = fitRun;
       const mostKnots = Math.max(1, ...chart.map(({ knots }) => knots));
-      const mostRms = Math.max(1e-12, ...chart.map(({ rms }) => rms));
+      // Points of a curve that the fit finds have no error but roundings, which are no more than nothing.
+      const mostRms = Math.max(1e-12, 1e-9 * (fitRun.outcome?.diagonal ?? 0), ...chart.map(({ rms }) => rms));
       // A logarithm of the knots: what matters is whether there are twice as many.
       const high = (knots: number): number => (Math.log1p(knots) / Math.log1p(mostKnots)) * (height - 4);
       bars.replaceChildren(...chart.map(({ smoothing, knots }) =>
