@@ -216,6 +216,14 @@ test("the chart says of every smoothing what the slider gives there", async (t) 
     const { knots, rms } = await result(demo);
     assert.ok(said.includes(`At ${at}: ${knots.length} knots, rms ${rms.toPrecision(2)}`), `${knots.length} knots, rms ${rms} at ${at}, not as in: ${said}`);
   }
+  // A parabola is fitted without an error, whatever the smoothing: the line of the errors lies at the chart's foot.
+  await demo.page.evaluate(async () => {
+    const { fit: { sample: _sample, ...fit }, ...state } = window.explineDemo.getState();
+    await window.explineDemo.setState({ ...state, fit: { ...fit, starts: [], data: Array.from({ length: 41 }, (_, i): [number, number] => [10 * i, (i - 20) ** 2]) } });
+  });
+  const errors = async (): Promise<number[]> => [...((await chart.locator(".chart-line").getAttribute("d")) ?? "").matchAll(/ ([\d.]+)/gu)].map(([, y]) => Number(y));
+  const foot = await demo.until(errors, (heights) => heights.length === 21 && (heights[0] ?? 0) > 60, "the chart is filled with the parabola's");
+  assert.ok(foot.every((y) => y > 69), `${foot}`);
 });
 
 test("a knot that is dragged draws nothing: it is chosen, and Edit in Curve is offered", async (t) => {

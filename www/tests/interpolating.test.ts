@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { baseCount } from "../src/document/document.ts";
+import { baseCount, omegaOf } from "../src/document/document.ts";
 import { affectedSegments, rootsOf } from "../src/document/curve/roots.ts";
 import { parseState, writeState } from "../src/document/file/file.ts";
 import { refineCurveHere, setFamily, setOrder } from "../src/editor/curve/family-edits.ts";
@@ -9,6 +9,9 @@ import { setLevel } from "../src/editor/curve/level-edits.ts";
 import { teethOf } from "../src/kernel/curve/overlays/comb.ts";
 import { segmentPolygon } from "../src/kernel/curve/samples.ts";
 import { commandsOf } from "../src/kernel/paths/export.ts";
+import { ellipseIn } from "../src/document/curve/drawing/shapes.ts";
+import { addContours } from "../src/document/curve/whole/commands.ts";
+import { loadCurve, setOmega, setSpace } from "../src/editor/curve/edits.ts";
 import { Hand, largestDistance } from "./harness.ts";
 
 /** A point of the drawing as the only chosen one. */
@@ -70,6 +73,34 @@ test("a circle is the same curve in both families", () => {
   setFamily(hand.editor, "hermite");
   assert.ok(largestDistance(hand.sample(400), before) < 1e-10);
 });
+
+for (const [what, setting] of [
+  ["a frequency that was set", { space: "trigonometric", omega: 0.7 }],
+  ["the polynomial space", { space: "polynomial", omega: "auto" }],
+] as const) {
+  test(`an ellipse that was drawn in a drawing of ${what} stays one in the other family and on the way back, through a file, too`, () => {
+    const hand = new Hand();
+    loadCurve(hand.editor, "Open", { ...setting, level: 0, contours: [] });
+    const drawn = ellipseIn(hand.curve, { minX: 100, minY: 100, maxX: 400, maxY: 260 });
+    hand.editor.dispatch(addContours("Ellipse", [drawn], true));
+    const before = hand.sample(400);
+    setFamily(hand.editor, "interpolating");
+    // Four roundings of 400 px, summed over the points that a place depends on.
+    assert.ok(largestDistance(hand.sample(400), before) < 1e-10);
+    hand.editor.setState(parseState(writeState(hand.editor.getState())).state);
+    setLevel(hand.editor, 1);
+    setLevel(hand.editor, 0);
+    assert.ok(largestDistance(hand.sample(400), before) < 1e-10);
+    setFamily(hand.editor, "hermite");
+    assert.ok(largestDistance(hand.sample(400), before) < 1e-10);
+    for (let segment = 0; segment < 4; segment += 1) assert.ok(Math.abs(omegaOf(hand.curve, contourOf(hand), segment) - Math.PI / 2) < 1e-15);
+    // The frequency that is set for the drawing is that of every contour.
+    setFamily(hand.editor, "interpolating");
+    setSpace(hand.editor, "trigonometric");
+    setOmega(hand.editor, 0.4);
+    assert.equal(rootsOf(hand.curve, contourOf(hand))[1]?.im, 0.4);
+  });
+}
 
 test("refining one place leaves the curve, and the points on it take the finer ones along", () => {
   const hand = new Hand("blob-16");

@@ -124,11 +124,16 @@ export function resetHandles(selection: Selection): Command {
   };
 }
 
+/** A grid says what its roots are; elsewhere they are a frequency of the contour's own. */
+function withoutOwnRoots({ roots, ...contour }: Contour): Contour {
+  return contour.grid === undefined || roots === undefined ? contour : { ...contour, roots };
+}
+
 /** The document's frequency for every contour: what contours had of their own is dropped. */
 export function setOmega(omega: number | "auto", run?: string): Command {
   return {
     name: "Frequency",
-    apply: (curve) => ({ ...curve, omega, contours: curve.contours.map(({ omega: _own, ...contour }) => contour) }),
+    apply: (curve) => ({ ...curve, omega, contours: curve.contours.map(({ omega: _own, ...contour }) => withoutOwnRoots(contour)) }),
     ...(run === undefined ? {} : { run }),
   };
 }
@@ -136,7 +141,7 @@ export function setOmega(omega: number | "auto", run?: string): Command {
 export function setSpace(space: Space): Command {
   return {
     name: "Space",
-    apply: (curve) => ({ ...curve, space, contours: curve.contours.map(({ space: _own, ...contour }) => contour) }),
+    apply: (curve) => ({ ...curve, space, contours: curve.contours.map(({ space: _own, ...contour }) => withoutOwnRoots(contour)) }),
   };
 }
 

@@ -152,6 +152,7 @@ function isEven({ omega }: Contour): boolean {
 function frequencyNote(curve: CurveDocument, contour: Contour): string {
   if (curve.space === "polynomial" || contour.points.length < 2) return "";
   if (contour.grid !== undefined) return "All set at level 0";
+  if (contour.roots !== undefined) return "The contour has its own";
   if (contour.omega !== undefined) return isEven(contour) ? "" : "Each segment has its own";
   if (curve.omega !== "auto") return "";
   const value = omegaOf(curve, contour, 0);
