@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { gripsOf } from "../src/editor/curve/framing.ts";
 import type { Grip } from "../src/editor/state.ts";
+import { hintFor } from "../src/editor/hint.ts";
 import { toPage } from "../src/editor/pointer/camera.ts";
 import { translated } from "../src/document/curve/contours.ts";
 import { Hand, contoursOfPath, handOf, largestDistance } from "./harness.ts";
@@ -243,9 +244,11 @@ test("what is moved snaps by the corners and the middle of its box", async () =>
   }
 });
 
-test("a finger drags what is chosen by its inside, and pans beside it", async () => {
+test("a finger drags what is chosen by its inside, and pans beside it, as the hint says", async () => {
   const hand = await discChosen();
   hand.kind = "touch";
+  hand.editor.patch({ touch: true, hover: { kind: "empty" }, hint: "" });
+  assert.match(hintFor(hand.editor.state.value), /^Drag inside a selected shape to move it\. Drag elsewhere to move the view/u);
   hand.drag({ x: 300, y: 340 }, 30, 0);
   assert.equal(hand.point(0).x, 430);
   const { view } = hand.editor.state.value;
