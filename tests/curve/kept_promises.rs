@@ -146,6 +146,23 @@ fn points_evenly_by_length_are_where_they_should_be_within_the_tolerance() {
 }
 
 #[test]
+fn points_evenly_by_length_follow_one_another_however_wide_the_tolerance_is() {
+    let mut random = Random::new(9);
+    for case in 0..60 {
+        let mut eight = || (0..4).map(|_| (100.0 * random.symmetric()).round()).collect::<Vec<f64>>();
+        let (points, tangents) = (eight(), eight().iter().map(|v| 3.0 * v).collect::<Vec<f64>>());
+        let curve = curve(Space::Polynomial, &points, &tangents, false, &[]);
+        let length = curve.length(1e-9).expect("in range");
+        for tolerance in [1e-2, 1e-1, 1.0, 10.0].map(|share| share * length) {
+            let places = curve.sample_by_length(40, tolerance).expect("in range");
+            assert!(places.is_sorted(), "{case}: {places:?} at {tolerance}");
+            // Chords of 40,000 steps are far less than a thousandth of the length short.
+            assert!(misplaced(&curve, 40, tolerance) <= tolerance + 1e-3 * length, "{case} at {tolerance}");
+        }
+    }
+}
+
+#[test]
 fn the_length_of_a_curve_is_a_length_on_it() {
     let mut random = Random::new(3);
     for tolerance in [1e-9, 1e-3, 4.0] {

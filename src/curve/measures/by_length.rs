@@ -18,7 +18,7 @@ use crate::curve::speed::{ROUNDING, fastest, piece_length};
 use crate::error::{Error, Result};
 use crate::limits::{MOST_OUTPUT_POINTS, filled, too_many, with_room};
 use crate::numerics::lists::steps;
-use crate::numerics::plane::{dot, norm, smaller, square};
+use crate::numerics::plane::{dot, larger, norm, smaller, square};
 
 /// The most intervals that wait to be looked at: halves of halves down to the least width.
 const STACK: usize = 64;
@@ -122,7 +122,7 @@ impl LengthTable {
                 let (from, to) = (curve.knot(i), curve.knot(i + 1));
                 let scale = cells.last().map_or(1.0, |cell: &Cell| cell.end / whole);
                 let scale = if scale.is_finite() { scale } else { 0.0 };
-                let mut cell = 0;
+                let (mut cell, mut least) = (0, -0.5);
                 // Some at a time: a call for each would cost more than the place.
                 while done < until {
                     let number = (until - done).min(BATCH);
@@ -131,10 +131,14 @@ impl LengthTable {
                         while cell + 1 < cells.len() && place > cells[cell].end {
                             cell += 1;
                         }
-                        *y = match &piece {
+                        let found = match &piece {
                             AnyPiece::Plane(_) => cells[cell].parameter(place),
                             AnyPiece::Space(_) => place_on(&piece, place, whole, share),
                         };
+                        // Where the tolerance is wide a point may come out before the one before it, which is nearer
+                        // to its place, then.
+                        least = larger(least, found);
+                        *y = least;
                     }
                     let (now, later) = rest.split_at_mut(each * number);
                     write(&piece, [from, to], &places[..number], now);
