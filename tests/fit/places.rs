@@ -77,3 +77,38 @@ fn nowhere_around_its_place_is_the_curve_nearer_to_a_point() {
         assert!((fitted.rms - rms).abs() < 1e-9, "{what}: a mean of {} for {rms}", fitted.rms);
     }
 }
+
+/// Points of a ring at parameters that begin with short steps and go on with long ones.
+fn at_uneven_steps(closed: bool, random: &mut Random) -> (Vec<Point>, Options) {
+    let mut t = 0.0;
+    let (mut ring, mut parameters) = (Vec::new(), Vec::new());
+    for i in 0..8 {
+        let (sin, cos) = (0.7 * f64::from(i)).sin_cos();
+        ring.push(Point::new(100.0 * cos, 100.0 * sin));
+        parameters.push(t);
+        t += if i < 4 { 1e-4 + 1e-5 * random.symmetric() } else { 1e4 + 1e3 * random.symmetric() };
+    }
+    let period = closed.then_some(t);
+    (ring, Options { closed: Some(closed), parameters, period, ..Options::default() })
+}
+
+#[test]
+fn places_are_as_near_as_is_said_where_long_steps_of_the_parameter_follow_short_ones() {
+    let mut random = Random::new(5);
+    for case in 0..40 {
+        let (points, options) = at_uneven_steps(case % 2 == 0, &mut random);
+        let fit = fit(&points, Ask::Tolerance(0.0), &options).expect("a fit");
+        for (&t, &point) in fit.parameters.iter().zip(&points) {
+            let off = distance(&fit, t, point);
+            assert!(off <= fit.max_error, "case {case}: {off:e} beyond {:e} at {t}", fit.max_error);
+        }
+        for knot in &fit.knots {
+            let off = distance(&fit, knot.t, knot.point);
+            assert!(
+                off <= fit.max_error,
+                "case {case}: a knot {off:e} beside the curve, {:e}",
+                fit.max_error
+            );
+        }
+    }
+}
