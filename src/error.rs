@@ -232,6 +232,17 @@ impl Error {
     }
 }
 
+/// A number in few digits: of very small and very large ones `{}` alone writes hundreds of zeros.
+struct Short(f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = *self;
+        let plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
+        if plain { write!(f, "{value}") } else { write!(f, "{value:e}") }
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let at = |f: &mut fmt::Formatter<'_>, argument: &str, index: Option<usize>| match index {
@@ -245,24 +256,33 @@ impl fmt::Display for Error {
             }
             Self::OutOfRange { argument, index, value, least, most } => {
                 at(f, argument, index)?;
+                let value = Short(value);
                 // A number of something of which there is none.
                 if most < least {
                     return write!(f, " is {value}; there is none");
                 }
-                write!(f, " is {value}; expected a number from {least} to {most}")
+                match (least > 0.0 && least <= f64::MIN_POSITIVE, most == f64::MAX) {
+                    (true, true) => write!(f, " is {value}; expected a number above 0"),
+                    (true, false) => {
+                        write!(f, " is {value}; expected a number above 0, at most {}", Short(most))
+                    }
+                    (false, true) => write!(f, " is {value}; expected a number from {} on", Short(least)),
+                    _ => write!(f, " is {value}; expected a number from {} to {}", Short(least), Short(most)),
+                }
             }
             Self::WrongLength { argument, got, needed } => {
                 write!(f, "{argument} has length {got}; expected {needed}")
             }
             Self::TooFewPoints { argument, got, needed } => {
-                write!(f, "{argument} has {got} points; at least {needed} are needed")
+                let points = if got == 1 { "point" } else { "points" };
+                write!(f, "{argument} has {got} {points}; at least {needed} are needed")
             }
             Self::Degenerate { argument, index, reason } => {
                 at(f, argument, index)?;
                 write!(f, " has no unique answer: {reason}")
             }
             Self::LimitExceeded { argument, limit, most, needed } => {
-                write!(f, "{argument} needs {needed}; {limit} is {most}")
+                write!(f, "{argument} needs {}; {limit} is {}", Short(needed), Short(most))
             }
             Self::OutOfMemory { bytes } => write!(f, "no memory for {bytes} bytes"),
             Self::PathSyntax { offset, expected } => {

@@ -58,6 +58,35 @@ enum Run {
 /// [`Fitter::ask`] starts a run, [`Fitter::step`] takes it further, [`Fitter::fit`] gives the best curve so far. What
 /// is asked before changes no bit of what is found, unless a gap of 1e-3 or more is enough: then a run for λ or a
 /// smoothing starts where the last one ended, and agrees within the gap.
+///
+/// Between two steps progress can be shown, and the work ended: whoever wants no more asks for no further step.
+///
+/// ```
+/// use expline::fit::{Ask, FitStatus, Fitter, Options};
+/// use expline::numerics::Point;
+/// use std::time::{Duration, Instant};
+///
+/// let noisy: Vec<Point> = (0..2000)
+///     .map(f64::from)
+///     .map(|i| Point::new(100.0 * (i / 318.0).cos() + (97.0 * i).sin(), 80.0 * (i / 318.0).sin()))
+///     .collect();
+/// let mut fitter = Fitter::new(&noisy, &Options { closed: Some(true), ..Options::default() })?;
+/// fitter.ask(Ask::Tolerance(2.0))?;
+/// let end = Instant::now() + Duration::from_secs(60);
+/// loop {
+///     let progress = fitter.step(4000.0)?; // some 4 ms of work; show progress.iteration
+///     if progress.done || Instant::now() > end {
+///         break;
+///     }
+/// }
+/// let best = fitter.fit()?; // FitStatus::Running where time was up
+/// assert!(best.status == FitStatus::Running || best.max_error <= 2.0, "within the tolerance");
+///
+/// fitter.ask(Ask::Smoothing(0.5))?; // the same points again: what was made of them is kept
+/// while !fitter.step(4000.0)?.done {}
+/// assert_eq!(fitter.fit()?.status, FitStatus::Converged);
+/// # Ok::<(), expline::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Fitter {
     options: Options,

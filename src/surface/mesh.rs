@@ -143,7 +143,35 @@ impl TensorSurface {
     /// Positions and unit normals of the vertices of a region of a grid, three numbers each, row by row. Returns how
     /// many vertices have no normal: theirs is 0.
     ///
-    /// A vertex has the same bits in every region.
+    /// A vertex has the same bits in every region. The arrays are the region's own: what an edit touches is written beside
+    /// the mesh, and copied into it.
+    ///
+    /// ```
+    /// use expline::TensorSurface;
+    /// use expline::numerics::Vector3;
+    /// use expline::surface::Grid;
+    ///
+    /// let mut torus = TensorSurface::torus(3.0, 1.0, [8, 6])?;
+    /// let (grid, count) = (Grid { rows: 64, cols: 48 }, 3 * 64 * 48);
+    /// let (mut positions, mut normals) = (vec![0.0; count], vec![0.0; count]);
+    /// torus.mesh_into(grid, &grid.whole(), &mut positions, &mut normals)?; // and torus.indices(grid) for triangles
+    ///
+    /// torus.set_point(2, 0, Vector3::new(0.0, 5.0, 0.0))?;
+    /// let region = torus.touched(grid, 2, 0)?;
+    /// let size = 3 * region.rows.len() * region.cols.len();
+    /// let (mut places, mut ways) = (vec![0.0; size], vec![0.0; size]);
+    /// torus.mesh_into(grid, &region, &mut places, &mut ways)?;
+    /// let vertices = region.rows.flat_map(|i| region.cols.clone().map(move |j| (i % 64) * 48 + j % 48));
+    /// for (k, vertex) in vertices.enumerate() {
+    ///     let (of, from) = (3 * vertex..3 * vertex + 3, 3 * k..3 * k + 3);
+    ///     positions[of.clone()].copy_from_slice(&places[from.clone()]);
+    ///     normals[of].copy_from_slice(&ways[from]);
+    /// }
+    /// let mut whole = vec![0.0; count];
+    /// torus.mesh_into(grid, &grid.whole(), &mut whole, &mut vec![0.0; count])?;
+    /// assert_eq!(positions, whole, "as if all of it were made again");
+    /// # Ok::<(), expline::Error>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -26,7 +26,28 @@ enum Phase {
     Tracing(Box<Tracer>),
 }
 
-/// A picture of a few flat colours that is being traced.
+/// A picture of a few flat colours that is being traced: a [`Census`](super::Census) finds the colours,
+/// [`Layers::begin`] takes them with the pixels.
+///
+/// ```
+/// use expline::trace::{Census, LayerTracer, Layers, TraceOptions};
+///
+/// // A red square on white, 32 × 32 pixels of red, green, blue and opacity.
+/// let inside = |i: usize| (8..24).contains(&(i % 32)) && (8..24).contains(&(i / 32));
+/// let color = |i: usize| if inside(i) { [220, 40, 40, 255] } else { [255; 4] };
+/// let pixels: Vec<u8> = (0..32 * 32).flat_map(color).collect();
+///
+/// let mut census = Census::new(32)?;
+/// census.push_rgba_rows(&pixels); // or some rows at a time
+/// let palette = census.palette(8)?; // at most eight colours
+/// let mut rows = Layers::begin(32, 32, &palette)?;
+/// rows.push_rgba_rows(&pixels)?;
+/// let mut tracer = LayerTracer::new(rows.finish()?, &TraceOptions::default());
+/// while !tracer.step(4000.0)? {} // some 4 ms of work; tracer.progress() tells how many layers are done
+/// assert_eq!(tracer.layers().len(), 2, "white below, red on it");
+/// assert_eq!(tracer.layers()[1].contours[0].cusps.len(), 4, "with its corners");
+/// # Ok::<(), expline::Error>(())
+/// ```
 ///
 /// # Cost
 ///

@@ -10,6 +10,28 @@ use crate::error::{Error, Result};
 
 /// A picture that is being traced.
 ///
+/// ```
+/// use expline::svg::{PrintOptions, to_path_d};
+/// use expline::trace::{Gray, TraceOptions, Tracer};
+///
+/// // What a decoder gives: red, green, blue and opacity of 32 × 32 pixels, a dark square on white.
+/// let inside = |i: usize| (8..24).contains(&(i % 32)) && (8..24).contains(&(i / 32));
+/// let pixels: Vec<u8> = (0..32 * 32).flat_map(|i| if inside(i) { [0, 0, 0, 255] } else { [255; 4] }).collect();
+/// let mut tracer = Tracer::new(Gray::from_rgba(32, 32, &pixels)?, &TraceOptions::default())?;
+/// loop {
+///     let progress = tracer.step(4000.0)?; // some 4 ms of work; show progress.stage, or end here
+///     if progress.done {
+///         break;
+///     }
+/// }
+/// let mut d = String::new();
+/// for contour in &tracer.result()?.contours {
+///     d += &to_path_d(&contour.curve, &PrintOptions::default())?.d;
+/// }
+/// assert!(d.starts_with('M') && d.ends_with('Z'), "for <path d=\"…\"/>");
+/// # Ok::<(), expline::Error>(())
+/// ```
+///
 /// # Cost
 ///
 /// O(pixels + length of the contours). Memory: 4 to 6 bytes for each pixel of drawings, noisy ones, too, the picture's

@@ -449,3 +449,21 @@ fn surfaces_take_any_number() {
     }
     panics.check();
 }
+
+#[test]
+fn messages_say_a_range_in_a_line() {
+    let point = Point::zeros();
+    let curve = HermiteCurve::ellipse(point, Vector::new(2.0, 1.0), 0.0, 4).expect("in range");
+    let said = |error: Box<expline::Error>| error.to_string();
+    let radii = HermiteCurve::ellipse(point, Vector::new(-1.0, 1.0), 0.0, 4).map_err(said);
+    assert_eq!(radii.err().as_deref(), Some("radii[0] is -1; expected a number above 0, at most 1000000000"));
+    let far = curve.with_point(0, Point::new(1e300, 0.0)).map_err(said);
+    assert_eq!(
+        far.err().as_deref(),
+        Some("point is 1e300; expected a number from -1000000000 to 1000000000")
+    );
+    let tolerance = curve.length(-1e-300).map_err(said);
+    assert_eq!(tolerance.err().as_deref(), Some("tolerance is -1e-300; expected a number above 0"));
+    let one = HermiteCurve::through(vec![point], true, None, Space::Polynomial).map_err(said);
+    assert_eq!(one.err().as_deref(), Some("points has 1 point; at least 2 are needed"));
+}
