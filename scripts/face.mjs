@@ -48,7 +48,7 @@ const fileBeside = (file, start) => `
       try {
         return fs.readFileSync(installed());
       } catch {
-        throw new ExplineError("E_NOT_READY", op, "${file}_bg.wasm does not lie beside the program; await ${start}({ bytes }) first", { cause });
+        throw new ExplineError("E_NOT_READY", op, "${file}_bg.wasm cannot be read beside the program (" + cause.message.slice(0, 120) + "); await ${start}({ bytes }) first", { cause });
       }
     }
   }
