@@ -145,10 +145,11 @@ impl Joints {
     }
 
     /// How far the curve goes while its parameter is rounded twice: places on it are that of the parameter's rounding,
-    /// and so are the ends of its pieces.
-    pub(super) fn slip(&self) -> f64 {
+    /// and so are the ends of its pieces; where a long piece follows a short one, that of the long one's parameters.
+    pub(super) fn slip(&self, end: f64) -> f64 {
         let speeds = self.leaving.iter().zip(&self.arriving).map(|(out, into)| out.norm() + into.norm());
-        f64::EPSILON * self.at.iter().zip(speeds).map(|(t, speed)| t * speed).fold(0.0, larger)
+        let next = self.at.iter().skip(1).copied().chain([self.at[0] + end]);
+        f64::EPSILON * next.zip(speeds).map(|(t, speed)| t * speed).fold(0.0, larger)
     }
 
     /// Makes one joint of those that a curve does not tell apart; answers by how much that moves it at most.

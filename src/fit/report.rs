@@ -94,7 +94,7 @@ pub(super) fn fit(
     let distances =
         if frame.hurried { spline.feet(located, &mut feet, 1) } else { spline.settle(located, &mut feet) };
     let mut joints = spline.joints(samples.center, samples.scale, frame.unit, cuts);
-    let slip = joints.slip();
+    let slip = joints.slip(breaks.end * frame.unit);
     let moved = joints.bound(distances.largest.max(CLOSE) * samples.scale)
         + joints.tell_apart(breaks.closed, breaks.end * frame.unit);
     let deviation = deviation * samples.scale + moved;

@@ -460,7 +460,7 @@ fn messages_say_a_range_in_a_line() {
     let far = curve.with_point(0, Point::new(1e300, 0.0)).map_err(said);
     assert_eq!(
         far.err().as_deref(),
-        Some("point is 1e300; expected a number from -1000000000 to 1000000000")
+        Some("points[0] is 1e300; expected a number from -1000000000 to 1000000000")
     );
     let tolerance = curve.length(-1e-300).map_err(said);
     assert_eq!(tolerance.err().as_deref(), Some("tolerance is -1e-300; expected a number above 0"));

@@ -94,13 +94,19 @@ fn at_uneven_steps(closed: bool, random: &mut Random) -> (Vec<Point>, Options) {
 
 #[test]
 fn places_are_as_near_as_is_said_where_long_steps_of_the_parameter_follow_short_ones() {
+    // Handles of 10,000 times the size of the ring are rounded in the last digits of their own.
+    const ROUNDING: f64 = 1e-11;
     let mut random = Random::new(5);
     for case in 0..40 {
         let (points, options) = at_uneven_steps(case % 2 == 0, &mut random);
         let fit = fit(&points, Ask::Tolerance(0.0), &options).expect("a fit");
         for (&t, &point) in fit.parameters.iter().zip(&points) {
             let off = distance(&fit, t, point);
-            assert!(off <= fit.max_error, "case {case}: {off:e} beyond {:e} at {t}", fit.max_error);
+            assert!(
+                off <= fit.max_error + ROUNDING,
+                "case {case}: {off:e} beyond {:e} at {t}",
+                fit.max_error
+            );
         }
         for knot in &fit.knots {
             let off = distance(&fit, knot.t, knot.point);
