@@ -143,8 +143,8 @@ impl TensorSurface {
     /// Positions and unit normals of the vertices of a region of a grid, three numbers each, row by row. Returns how
     /// many vertices have no normal: theirs is 0.
     ///
-    /// A vertex has the same bits in every region. The arrays are the region's own: what an edit touches is written beside
-    /// the mesh, and copied into it.
+    /// A vertex has the same bits in every region. The arrays are the region's own: what an edit touches is written
+    /// beside the mesh, and copied into it.
     ///
     /// ```
     /// use expline::TensorSurface;
@@ -154,7 +154,7 @@ impl TensorSurface {
     /// let mut torus = TensorSurface::torus(3.0, 1.0, [8, 6])?;
     /// let (grid, count) = (Grid { rows: 64, cols: 48 }, 3 * 64 * 48);
     /// let (mut positions, mut normals) = (vec![0.0; count], vec![0.0; count]);
-    /// torus.mesh_into(grid, &grid.whole(), &mut positions, &mut normals)?; // and torus.indices(grid) for triangles
+    /// torus.mesh_into(grid, &grid.whole(), &mut positions, &mut normals)?; // triangles: torus.indices(grid)
     ///
     /// torus.set_point(2, 0, Vector3::new(0.0, 5.0, 0.0))?;
     /// let region = torus.touched(grid, 2, 0)?;

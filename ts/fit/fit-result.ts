@@ -60,10 +60,10 @@ export interface SparseFit {
   /**
    * Each component as a curve of its own, degrees 4 and 5 as cubics; their sum is `curve`, the last one having its
    * place in the plane. Large components that nearly cancel, as uneven `parameters` or `weights` make them, are off by
-   * more as cubics than their sum, which `deviation` is about: `coefficients` are exact. Of a closed pair each begins at its own first knot: where `curve` is at t, it is at t less the
-   * `t` of the first of `knots` with its degree. Two only of a pair of degrees with `lambda` or `smoothing` whose
-   * `finish` leaves the bias in ("none", "gridless"): "full" makes one spline of both, and with a tolerance or without
-   * any strength there never are two.
+   * more as cubics than their sum, which `deviation` is about: `coefficients` are exact. Of a closed pair each begins
+   * at its own first knot: where `curve` is at t, it is at t less the `t` of the first of `knots` with its degree. Two
+   * only of a pair of degrees with `lambda` or `smoothing` whose `finish` leaves the bias in ("none", "gridless"):
+   * "full" makes one spline of both, and with a tolerance or without any strength there never are two.
    */
   parts: HermiteCurve[];
   /** B-spline coefficients of each component on its knots, x and y in turn. */
