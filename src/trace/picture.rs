@@ -6,6 +6,7 @@ pub(super) mod blocks;
 pub(super) mod blur;
 pub(super) mod census;
 pub(super) mod color_light;
+mod compression;
 pub(super) mod contour;
 pub(super) mod gray;
 mod hues;

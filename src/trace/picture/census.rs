@@ -1,5 +1,6 @@
 //! A count of the pixels of a picture that show a colour.
 
+use super::compression::Squares;
 use super::hues::{Edges, is_bled};
 use super::mixture::{Premultiplied, is_like, is_on_edge, squared};
 use super::palette::{Item, MOST_COLORS, palette_of};
@@ -29,8 +30,9 @@ const ROWS: usize = 5;
 struct Bin {
     weight: u64,
     flat: u64,
-    /// How many have neighbours like them on all four sides.
-    inner: u64,
+    /// How many have neighbours like them on all four sides, and how many have such that are the same.
+    inner: u32,
+    even: u32,
     all: u64,
     sums: [u64; 4],
     /// As much of the weight, and of the flat ones, as is on an edge of hues.
@@ -50,6 +52,7 @@ pub struct Census {
     /// How many pixels above each of that row are the same.
     runs: Vec<u8>,
     edges: Edges,
+    squares: Squares,
 }
 
 impl Census {
@@ -64,7 +67,14 @@ impl Census {
         bins.resize(count, Bin::default());
         let mut runs = with_room(width)?;
         runs.resize(width, 0);
-        Ok(Self { width, bins, window: Default::default(), runs, edges: Edges::default() })
+        Ok(Self {
+            width,
+            bins,
+            window: Default::default(),
+            runs,
+            edges: Edges::default(),
+            squares: Squares::new(width)?,
+        })
     }
 
     /// More rows, from red, green, blue and opacity, a byte each.
@@ -91,19 +101,28 @@ impl Census {
             let longer = |run: u8, before: Option<&[u8; 4]>| {
                 if before == Some(pixel) { run.saturating_add(1) } else { 0 }
             };
-            along = longer(along, row.get(column.wrapping_sub(1)));
+            let left = row.get(column.wrapping_sub(1));
+            let run = along;
+            along = longer(run, left);
+            if run > along
+                && let Some(left) = left
+                && is_like(&pixel.map(i32::from), &left.map(i32::from))
+            {
+                self.squares.end(column, run);
+            }
             *down = longer(*down, rows[ROWS / 2 - 1].get(column));
             if pixel[3] < FAINT {
                 continue;
             }
-            let (weight, is_bled, is_inner) = weight(&rows, column, [*down, along]);
+            let Seen { weight, is_bled, is_inner, is_even } = seen(&rows, column, [*down, along]);
             // A share of a colour says which one that is, if nothing else does.
             let bin = &mut self.bins[index(pixel, weight > 0)];
             bin.all += 1;
             bin.weight += weight;
             let flat = u64::from(weight == FLAT);
             bin.flat += flat;
-            bin.inner += u64::from(is_inner);
+            bin.inner += u32::from(is_inner);
+            bin.even += u32::from(is_even);
             if is_bled {
                 bin.bled += weight;
                 bin.bled_flat += flat;
@@ -130,7 +149,7 @@ impl Census {
         check("colors", None, most as f64, 2.0, MOST_COLORS as f64)?;
         self.push(&[]);
         self.push(&[]);
-        Ok(palette_of(&mut self.items()?, most))
+        Ok(palette_of(&mut self.items()?, most, self.squares.are_there()))
     }
 
     /// Bins with something in them: by the pixels that show a colour or, where none is, by all of them.
@@ -155,7 +174,8 @@ impl Census {
                 opacity = if i >> (3 * BITS) == 0 { 255.0 } else { all };
             }
             let weight = count as f64 / FLAT as f64;
-            items.push(Item::new(weight, [flat, bin.inner].map(|count| count as f64), rgb, opacity));
+            let kinds = [flat, u64::from(bin.inner), u64::from(bin.even)].map(|count| count as f64);
+            items.push(Item::new(weight, kinds, rgb, opacity));
         }
         Ok(items)
     }
@@ -173,25 +193,38 @@ fn around(rows: &[&[[u8; 4]]; ROWS], column: usize, reach: usize) -> [[u8; 4]; 4
     [or(left, right), or(right, left), or(above, below), or(below, above)]
 }
 
-/// What a pixel counts for, by the rows around it and by how many above it and on its left are the same, whether it is
-/// on an edge of hues, and whether all is alike around it.
-fn weight(rows: &[&[[u8; 4]]; ROWS], column: usize, runs: [u8; 2]) -> (u64, bool, bool) {
+/// What is seen of a pixel.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    /// What it counts for.
+    weight: u64,
+    /// Whether it is on an edge of hues.
+    is_bled: bool,
+    /// Whether all is alike around it, and whether all is the same.
+    is_inner: bool,
+    is_even: bool,
+}
+
+/// What is seen of a pixel, by the rows around it and by how many above it and on its left are the same.
+fn seen(rows: &[&[[u8; 4]]; ROWS], column: usize, runs: [u8; 2]) -> Seen {
     let pixel = rows[ROWS / 2][column];
     let near = around(rows, column, 1);
-    if near == [pixel; 4] {
-        return (FLAT, false, true);
+    let is_even = near == [pixel; 4];
+    let inner = Seen { weight: FLAT, is_bled: false, is_inner: true, is_even };
+    if is_even {
+        return inner;
     }
     if pixel[3] < OPAQUE {
-        return (0, false, false);
+        return Seen::default();
     }
     let (color, near) = (pixel.map(i32::from), near.map(|near| near.map(i32::from)));
     let is_alike = |k: usize| is_like(&color, &near[k]);
     let is_flat = is_alike(0) && is_alike(2);
     if is_flat && is_alike(1) && is_alike(3) {
-        return (FLAT, false, true);
+        return inner;
     }
     if is_on_edge(&color, near.each_ref()) {
-        return (0, false, false);
+        return Seen::default();
     }
     let is_bled =
         is_bled(&color, &near) || is_bled(&color, &around(rows, column, 2).map(|far| far.map(i32::from)));
@@ -202,7 +235,7 @@ fn weight(rows: &[&[[u8; 4]]; ROWS], column: usize, runs: [u8; 2]) -> (u64, bool
         run >= RULED && across.iter().all(|side| squared(&color, side) > step)
     };
     let is_flat = is_flat || runs.into_iter().zip(near.chunks_exact(2)).any(is_ruled);
-    (if is_flat { FLAT } else { 1 }, is_bled, false)
+    Seen { weight: if is_flat { FLAT } else { 1 }, is_bled, ..Seen::default() }
 }
 
 fn index(pixel: &[u8; 4], is_color: bool) -> usize {

@@ -19,6 +19,8 @@ const LEAST: usize = 16;
 const STEP: i32 = 3 * 16 * 16;
 /// and that up to which a hue is one of these.
 const BESIDE: f64 = 3.0 * 32.0 * 32.0;
+/// and that up to which it is still the hue of one whose light waves.
+const WAVING: i32 = 32 * 32;
 /// How much lighter or darker than both of its neighbours a pixel on the edge of their hues may be: compression waves.
 const FRINGE: i32 = 40;
 
@@ -62,11 +64,25 @@ impl Edges {
 
 /// Whether a pixel has its hue on the way from one neighbour to the one on the other side, and its light within theirs.
 pub(super) fn is_bled(pixel: &Premultiplied, [left, right, above, below]: &[Premultiplied; 4]) -> bool {
-    [(left, right), (above, below)].into_iter().any(|(from, to)| {
-        let [from_light, to_light] = [light(from), light(to)];
-        let within = from_light.min(to_light) - FRINGE..=from_light.max(to_light) + FRINGE;
-        within.contains(&light(pixel)) && is_hue_between(pixel, from, to)
-    })
+    is_shared(pixel, left, right, FRINGE) || is_shared(pixel, above, below, FRINGE)
+}
+
+/// Whether a colour has its hue on the way from one to another, and its light within theirs, or no farther beyond.
+pub(super) fn is_shared(
+    color: &Premultiplied,
+    from: &Premultiplied,
+    to: &Premultiplied,
+    beyond: i32,
+) -> bool {
+    let [from_light, to_light] = [light(from), light(to)];
+    let within = from_light.min(to_light) - beyond..=from_light.max(to_light) + beyond;
+    within.contains(&light(color)) && is_hue_between(color, from, to)
+}
+
+/// Whether a colour is what the waves of compression make of another one: a bit lighter or darker, of about its hue.
+pub(super) fn is_wave(color: &Premultiplied, of: &Premultiplied) -> bool {
+    let off = less(&hue(color), &hue(of));
+    (light(color) - light(of)).abs() <= FRINGE && dot(&off, &off) < WAVING
 }
 
 /// Whether a hue is on the way from one to another. Differences with a channel at the end of its range do not count: it

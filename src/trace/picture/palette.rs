@@ -1,6 +1,7 @@
 //! The few colours of a picture: clusters of what was counted.
 
-use super::mixture::is_between;
+use super::hues::{is_shared, is_wave};
+use super::mixture::{Premultiplied, is_between};
 use super::tint::{Tint, on_white, rounded};
 
 /// The most colours of a palette.
@@ -20,6 +21,10 @@ const AROUND: f64 = 0.022;
 const LEAST_PURE: f64 = 8.0;
 /// A colour that is nowhere broader than two pixels has less than one part in so many alike all around.
 const NARROW: f64 = 40.0;
+/// How much lighter or darker than two colours one may be that is made of their hues.
+const ROUNDED: i32 = 8;
+/// A colour that waves make in a compressed picture has less than one part in so many that is even.
+const UNEVEN: f64 = 16.0;
 /// What is nearer than this to a cluster's heaviest bin belongs to the same flat colour.
 const CORE: f64 = 0.04;
 /// Fewer pixels are no colour.
@@ -34,8 +39,9 @@ pub(super) struct Item {
     weight: f64,
     /// How much of that is flat.
     flat: f64,
-    /// How much of it is alike all around.
+    /// How much of it is alike all around, and how much the same.
     inner: f64,
+    even: f64,
     /// On white.
     lab: [f64; 3],
     rgb: [f64; 3],
@@ -48,10 +54,10 @@ pub(super) struct Item {
 }
 
 impl Item {
-    /// Of so many pixels, as many of them flat, and as many alike all around.
-    pub(super) fn new(weight: f64, [flat, inner]: [f64; 2], rgb: [f64; 3], opacity: f64) -> Self {
+    /// Of so many pixels, as many of them flat, as many alike all around, and as many the same.
+    pub(super) fn new(weight: f64, [flat, inner, even]: [f64; 3], rgb: [f64; 3], opacity: f64) -> Self {
         let lab = oklab(on_white(rgb, opacity));
-        Self { weight, flat, inner, lab, rgb, opacity, cluster: 0, gap: 1.0, is_weak: false }
+        Self { weight, flat, inner, even, lab, rgb, opacity, cluster: 0, gap: 1.0, is_weak: false }
     }
 }
 
@@ -65,21 +71,23 @@ struct Found {
     is_pure: bool,
     /// Whether it was hardly seen anywhere but in things of one or two pixels.
     is_narrow: bool,
+    /// Whether hardly anything of it was even.
+    is_uneven: bool,
 }
 
 /// At most `most` colours, those of most pixels first. Every colour after the first is the one that most pixels are far
 /// from; then k-means \[Llo82\], in Oklab \[Ott20\], where distances are what eyes see. Where some of them turn out to
 /// be mixtures, there is room for pure ones that are nearer to others.
-pub(super) fn palette_of(items: &mut [Item], most: usize) -> Vec<Tint> {
+pub(super) fn palette_of(items: &mut [Item], most: usize, is_compressed: bool) -> Vec<Tint> {
     let mut centers: Vec<[f64; 3]> = Vec::new();
     add_seeds(items, &mut centers, most, false);
-    let mut colors = colors_around(items, centers.clone());
+    let mut colors = colors_around(items, centers.clone(), is_compressed);
     let first = centers.len();
     if colors.len() < most {
         add_seeds(items, &mut centers, MOST_COLORS, true);
     }
     if centers.len() > first {
-        colors = colors_around(items, centers);
+        colors = colors_around(items, centers, is_compressed);
         colors.truncate(most);
     }
     // Few of them: the heaviest first by insertion.
@@ -94,7 +102,7 @@ pub(super) fn palette_of(items: &mut [Item], most: usize) -> Vec<Tint> {
 }
 
 /// The colours of the clusters that settle from those centres, in their order.
-fn colors_around(items: &mut [Item], mut centers: Vec<[f64; 3]>) -> Vec<Found> {
+fn colors_around(items: &mut [Item], mut centers: Vec<[f64; 3]>, is_compressed: bool) -> Vec<Found> {
     for _ in 0..ROUNDS {
         settle(items, &mut centers);
     }
@@ -115,6 +123,9 @@ fn colors_around(items: &mut [Item], mut centers: Vec<[f64; 3]>) -> Vec<Found> {
         }
     }
     leave_mixtures_out(&mut colors);
+    if is_compressed {
+        leave_waves_out(&mut colors);
+    }
     colors
 }
 
@@ -198,6 +209,28 @@ fn leave_mixtures_out(colors: &mut Vec<Found>) {
     }
 }
 
+/// Beside edges compression makes waves of each colour, and mixtures of their hues. What was drawn is even somewhere, or
+/// it is unlike all that there is more of.
+fn leave_waves_out(colors: &mut Vec<Found>) {
+    let mut k = 0;
+    while k < colors.len() {
+        let here = &colors[k];
+        let color = here.color.premultiplied();
+        let more = || {
+            let more = colors.iter().filter(|other| other.weight > here.weight);
+            more.map(|other| other.color.premultiplied())
+        };
+        let is_made = |from: Premultiplied| {
+            is_wave(&color, &from) || more().any(|to| is_shared(&color, &from, &to, ROUNDED))
+        };
+        if here.is_uneven && more().any(is_made) {
+            colors.remove(k);
+        } else {
+            k += 1;
+        }
+    }
+}
+
 /// One round: every bin goes to the nearest centre, every centre to the mean of its bins.
 fn settle(items: &mut [Item], centers: &mut [[f64; 3]]) {
     let mut sums = [[0.0; 4]; MOST_COLORS];
@@ -232,6 +265,7 @@ fn color_of(items: &[Item], cluster: usize) -> Option<Found> {
     })?;
     let whole: f64 = own().map(|item| item.weight).sum();
     let is_thin = 2.0 * own().map(|item| item.flat).sum::<f64>() < whole;
+    let is_uneven = UNEVEN * own().map(|item| item.even).sum::<f64>() < whole;
     let is_narrow = NARROW * own().map(|item| item.inner).sum::<f64>() < whole;
     let (mut weight, mut sum) = (0.0, [0.0; 4]);
     let is_alike = |item: &&Item| {
@@ -249,7 +283,15 @@ fn color_of(items: &[Item], cluster: usize) -> Option<Found> {
     let rgb = [red, green, blue];
     let color = Tint { color: rgb.map(rounded), opacity: rounded(opacity) };
     let lab = oklab(on_white(rgb, opacity));
-    Some(Found { weight: whole, lab, color, is_thin, is_pure: is_pure(items, heaviest), is_narrow })
+    Some(Found {
+        weight: whole,
+        lab,
+        color,
+        is_thin,
+        is_pure: is_pure(items, heaviest),
+        is_narrow,
+        is_uneven,
+    })
 }
 
 /// A colour of sRGB in Oklab.
