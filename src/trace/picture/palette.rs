@@ -209,8 +209,8 @@ fn leave_mixtures_out(colors: &mut Vec<Found>) {
     }
 }
 
-/// Beside edges compression makes waves of each colour, and mixtures of their hues. What was drawn is even somewhere, or
-/// it is unlike all that there is more of.
+/// Beside edges compression makes waves of each colour, and mixtures of their hues. What was drawn is even somewhere,
+/// or it is unlike all that there is more of.
 fn leave_waves_out(colors: &mut Vec<Found>) {
     let mut k = 0;
     while k < colors.len() {
