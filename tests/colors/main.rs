@@ -4,6 +4,7 @@
 mod support;
 
 mod blended;
+mod compressed;
 mod layers;
 mod light;
 mod ruled;

@@ -2,12 +2,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-mod support;
-
 use core::f64::consts::PI;
 
+use crate::support::colors::{Paint, WHITE, apart, disc, draw, palette};
 use expline::trace::Color;
-use support::colors::{Paint, WHITE, apart, disc, draw, palette};
 
 const SIDE: usize = 128;
 /// So near is a colour that was found to the one that was drawn: waves move the mean of what is thin.
