@@ -286,6 +286,9 @@ for (const way of ["clockwise", "counterclockwise"] as const) {
       hand.drag({ x: 450, y: 300 }, 100, 80);
       assert.ok(isFilled(hand, 470, 340) && isFilled(hand, 530, 340) && isFilled(hand, 460, 310), "one shape");
       assert.doesNotMatch(hintFor(hand.editor.state.value), /Reverse/u);
+      hand.drag({ x: 475, y: 335 }, 12, 12);
+      assert.ok(isFilled(hand, 481, 341), "what two cover");
+      assert.doesNotMatch(hintFor(hand.editor.state.value), /cut out/u, "is not said to be cut");
       hand.click(390, 210);
       assert.ok(!isFilled(hand, 390, 210), "a click's, too");
     }

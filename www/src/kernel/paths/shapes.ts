@@ -46,16 +46,17 @@ function goesRound(curve: CurveDocument, contour: Contour, at: Place): boolean {
 }
 
 /**
- * A new contour, the way round that makes of it what is meant where the winding number fills: a hole in what it lies
- * within, and one shape with what it only laps over.
+ * A new contour, the way round that makes of it what is meant where the winding number fills: a hole in the one
+ * shape that it lies within, and one shape with what it only laps over.
  */
 export function turnedForFilling(curve: CurveDocument, contour: Contour): { readonly contour: Contour; readonly cuts: boolean } {
   const own = windingsOf(curve, contour, [middleOf(contour)])[0] ?? 0;
   if (curve.filling !== "nonzero" || own === 0) return { contour, cuts: false };
   const below = curve.contours.filter(({ ink }) => ink === contour.ink).map((each) => windingsOf(curve, each, contour.points));
-  const windings = contour.points.map((_, i) => Math.sign(below.reduce((sum, each) => sum + (each[i] ?? 0), 0)));
-  const way = windings.find((each) => each !== 0);
-  if (way === undefined) return { contour, cuts: false };
+  const windings = contour.points.map((_, i) => below.reduce((sum, each) => sum + (each[i] ?? 0), 0));
+  const way = Math.sign(windings.find((each) => each !== 0) ?? 0);
+  if (way === 0) return { contour, cuts: false };
+  // What two shapes cover is filled still when one contour more goes the other way round.
   const cuts = windings.every((each) => each === way);
   return { contour: (Math.sign(own) === way) === cuts ? reversedContour(contour) : contour, cuts };
 }
