@@ -434,13 +434,14 @@ test("the pen goes on from an end, joins the end of another path, and says so be
 
 test("the menu of a point has what can be done with it, and nothing that would be refused", async (t) => {
   const demo = await open(t, "#/curve?sample=sine");
-  const itemsAt = async ({ x, y }: Place): Promise<string[]> => {
-    await demo.page.mouse.click(x, y, { button: "right" });
+  const itemsAfter = async (opened: Promise<void>): Promise<string[]> => {
+    await opened;
     await demo.byId("context-menu").waitFor();
     const items = await demo.byId("context-menu").getByRole("menuitem").evaluateAll((all) => all.map((each) => (each.getAttribute("data-testid") ?? "").replace("menu-", "")));
     await demo.press("Escape");
     return items;
   };
+  const itemsAt = ({ x, y }: Place): Promise<string[]> => itemsAfter(demo.page.mouse.click(x, y, { button: "right" }));
   const itemsOf = async (id: string): Promise<string[]> => itemsAt(await demo.centre(id));
   const always = ["delete", "delete-open", "reverse", "select-contour", "copy", "duplicate"];
   const handles = ["smooth", "symmetric", "cusp", "reset-handles"];
@@ -461,6 +462,9 @@ test("the menu of a point has what can be done with it, and nothing that would b
   const whole = ["copy", "cut", "paste", "duplicate", "delete", "flip-across", "flip-down", "turn-right", "turn-left", "reverse", "zoom-chosen"];
   assert.deepEqual(await itemsAt(await demo.toScreen(400, 300)), whole);
   assert.deepEqual(await itemsAt({ x: stage.x + 20, y: stage.y + 20 }), ["paste", "copy", "zoom-fit", "select-all"]);
+  await demo.focusStage();
+  for (let i = 0; i < 40; i += 1) await demo.press("Shift+ArrowRight");
+  assert.deepEqual(await itemsAfter(demo.press("Shift+F10")), whole, "the menu key is about what is chosen, wherever the pointer is");
 });
 
 test("the menu is in sight to its last item on a phone held across, without keys for who has none", async (t) => {

@@ -1,6 +1,6 @@
 import "../../styles/menu.css";
 import { isEnd, isSelected, samePoint, type CurveDocument, type PointRef } from "../../document/document.ts";
-import { isInsideFramed, nearestGrip } from "../../editor/curve/framing.ts";
+import { frameOf, isInsideFramed, nearestGrip } from "../../editor/curve/framing.ts";
 import type { Action, Editor, Target } from "../../editor/editor.ts";
 import { toPage } from "../../editor/pointer/camera.ts";
 import { placeOf } from "../../editor/pointer/dom-record.ts";
@@ -20,11 +20,15 @@ function itemsForPoint(curve: CurveDocument, point: PointRef): readonly string[]
   ];
 }
 
-/** Of contours that are chosen as a whole, their frame or its inside takes the press where nothing else does. */
+/**
+ * Of contours that are chosen as a whole, their frame or its inside takes the press where nothing else does. The menu
+ * key points nowhere: it is about what is chosen.
+ */
 function withFrame(editor: Editor, over: Target, event: MouseEvent): Target {
   const { value: state } = editor.state;
   const at = placeOf(event, editor);
-  const isFramed = over.kind === "empty" && (isInsideFramed(state, toPage(state.view, state.stage, at)) || nearestGrip(state, at, reachOf.touch) !== null);
+  const isOfKey = event.button < 0 && frameOf(state) !== null;
+  const isFramed = isOfKey || over.kind === "empty" && (isInsideFramed(state, toPage(state.view, state.stage, at)) || nearestGrip(state, at, reachOf.touch) !== null);
   return isFramed ? { kind: "grip", grip: "inside", cursor: "", hint: "" } : over;
 }
 
