@@ -1,6 +1,4 @@
-import {
-  isEnd, lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Offset,
-} from "../document.ts";
+import { lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Offset } from "../document.ts";
 import { lengthOfOffset, opposite, scaled, turnAt } from "./offset.ts";
 
 /** Corners of contours, and the arcs that stand in place of corners. */
@@ -136,8 +134,10 @@ export function arcAt(curve: CurveDocument, contour: Contour, segment: number): 
   return corner === null ? null : { radius, corner };
 }
 
-/** What a chosen point stands for: the corner that it is, or the arcs that it is an end of. */
-export function cornersAt(curve: CurveDocument, contour: Contour, index: number): { readonly arcs: readonly number[]; readonly isSharp: boolean } {
-  const arcs = segmentsAt(contour, index).filter((segment): segment is number => segment !== null && arcAt(curve, contour, segment) !== null);
-  return { arcs, isSharp: arcs.length === 0 && !isEnd({ ...curve, contours: [contour] }, { contour: 0, index }) && isCorner(contour, index) };
+/** The arcs that a point is an end of, which stand in place of corners. */
+export function arcsAt(curve: CurveDocument, contour: Contour, index: number): { readonly segment: number; readonly radius: number }[] {
+  return segmentsAt(contour, index).flatMap((segment) => {
+    const arc = segment === null ? null : arcAt(curve, contour, segment);
+    return segment === null || arc === null ? [] : [{ segment, radius: arc.radius }];
+  });
 }

@@ -5,7 +5,7 @@ import { fitted, zoomedAt, type ScreenPoint } from "../pointer/camera.ts";
 import {
   clearCurve, nudge, resetSelectedHandles, selectAll, selectEnd, selectNone, setKind, stepPart, stepSelection, toggleCusp,
 } from "../curve/edits.ts";
-import { framing, levelling, renewing, shaping } from "../curve/on-demand.ts";
+import { framing, levelling, renewing, rounding, shaping } from "../curve/on-demand.ts";
 import { late, whenLoaded } from "../loading.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "../editor.ts";
 
@@ -163,6 +163,7 @@ const pointActions: readonly Action[] = [
   action("smooth", "Smooth", "Points", [], (editor) => setKind(editor, "smooth"), { enabled: hasSelection }),
   action("cusp", "Cusp", "Points", [], (editor) => setKind(editor, "cusp"), { enabled: hasSelection }),
   action("reset-handles", "Automatic handles", "Points", [], (editor) => resetSelectedHandles(editor), { enabled: hasSelection }),
+  action("round-corners", "Round corners", "Points", ["Shift+C"], (editor) => rounding(editor, ({ roundChosen }) => roundChosen(editor)), { enabled: hasSelection }),
   renewal("insert", "Insert point after selection", "Points", ["Enter"], "insertAfterSelected", (state) => hasSelection(state) && !drawsShapes(state)),
   action("insert-here", "Insert point here", "Points", [], insertAtHover, { enabled: (state) => inCurve(state) && state.hover.kind === "curve" }),
   renewal("delete", "Delete and heal", "Points", ["Delete", "Backspace"], "deleteAndHeal", hasSelection),

@@ -1,7 +1,8 @@
 import "../../styles/menu.css";
-import { isEnd, isSelected, samePoint, type CurveDocument, type PointRef } from "../../document/document.ts";
+import { isEnd, isSelected, samePoint, type PointRef } from "../../document/document.ts";
 import { frameOf, isInsideFramed, nearestGrip } from "../../editor/curve/framing.ts";
-import type { Action, Editor, Target } from "../../editor/editor.ts";
+import { hasSharp } from "../../editor/curve/corners.ts";
+import type { Action, Editor, EditorState, Target } from "../../editor/editor.ts";
 import { toPage } from "../../editor/pointer/camera.ts";
 import { placeOf } from "../../editor/pointer/dom-record.ts";
 import { reachOf } from "../../editor/pointer/hit-test.ts";
@@ -9,10 +10,11 @@ import { h } from "../controls/dom.ts";
 import { printedKey } from "../shell.ts";
 
 /** What can be done with a point: nothing that would only be refused. */
-function itemsForPoint(curve: CurveDocument, point: PointRef): readonly string[] {
+function itemsForPoint({ curve, ...state }: EditorState, point: PointRef): readonly string[] {
   const contour = curve.contours[point.contour];
   return [
     ...(contour?.family === "interpolating" ? [] : ["smooth", "symmetric", "cusp", "reset-handles"]),
+    ...(hasSharp({ ...state, curve }) ? ["round-corners"] : []),
     "delete", "delete-open",
     ...(isEnd(curve, point) ? ["join"] : []),
     ...(contour?.closed === true && point.index > 0 ? ["start-here"] : []),
@@ -33,17 +35,17 @@ function withFrame(editor: Editor, over: Target, event: MouseEvent): Target {
 }
 
 /** What can be done with what is under the pointer. */
-function itemsFor(over: Target, curve: CurveDocument): readonly string[] {
-  const { contours } = curve;
+function itemsFor(over: Target, state: EditorState): readonly string[] {
+  const { contours } = state.curve;
   switch (over.kind) {
     case "point":
-      return itemsForPoint(curve, over.point);
+      return itemsForPoint(state, over.point);
     case "handle":
-      return itemsForPoint(curve, over.handle);
+      return itemsForPoint(state, over.handle);
     case "curve":
       return ["insert-here", "reverse", "select-contour"];
     case "grip":
-      return ["copy", "cut", "paste", "duplicate", "delete", "to-front", "to-back", "flip-across", "flip-down", "turn-right", "turn-left", "reverse", "zoom-chosen"];
+      return ["copy", "cut", "paste", "duplicate", "delete", ...(hasSharp(state) ? ["round-corners"] : []), "to-front", "to-back", "flip-across", "flip-down", "turn-right", "turn-left", "reverse", "zoom-chosen"];
     case "empty":
       return contours.length > 0 ? ["paste", "copy", "zoom-fit", "select-all"] : ["paste", "samples"];
   }
@@ -58,7 +60,7 @@ export function openMenuOver(editor: Editor, under: Target, event: MouseEvent): 
   const others = point !== null && isSelected(selection, point) ? selection.points.filter((each) => !samePoint(each, point)) : [];
   if (point !== null) editor.patch({ selection: { ...(others.length > 0 ? selection : { handle: null }), points: [point, ...others] } });
   const state = editor.state.value;
-  const known = itemsFor(over, state.curve).flatMap((id) => editor.actions.get(id) ?? []).filter((action) => action.enabled?.(state) !== false);
+  const known = itemsFor(over, state).flatMap((id) => editor.actions.get(id) ?? []).filter((action) => action.enabled?.(state) !== false);
   // Where all of a contour goes, there is nothing to heal.
   const actions = known.map((action) => (over.kind === "grip" && action.id === "delete" ? { ...action, label: "Delete" } : action));
   if (actions.length > 0) openMenu(event.clientX, event.clientY, actions, (id) => {

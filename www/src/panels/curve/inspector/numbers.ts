@@ -7,12 +7,13 @@ import { h, setAttribute } from "../../controls/dom.ts";
 import { choiceField, numberField, type Field } from "../../controls/fields.ts";
 import { glyph, icon, type IconName } from "../../controls/icons.ts";
 import type { Section } from "../../mode/panel-parts.ts";
+import { cornerRow } from "./corner-row.ts";
 import { lengthField } from "./length-field.ts";
 
 /** The numbers of a chosen point, the kind of all, and the nudge pad. Loaded when a point is chosen first. */
 
 export function pointNumbers(editor: Editor): Section {
-  const rows = [placeRow(editor), kindRow(editor), handleRow(editor, "in", "In"), handleRow(editor, "out", "Out"), nudgePad(editor)];
+  const rows = [placeRow(editor), kindRow(editor), handleRow(editor, "in", "In"), handleRow(editor, "out", "Out"), cornerRow(editor), nudgePad(editor)];
   return {
     element: h("div", { class: "inspector" }, ...rows.map(({ element }) => element)),
     update(state) {
