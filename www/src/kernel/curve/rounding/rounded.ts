@@ -26,7 +26,7 @@ export function rounded(document: CurveDocument, given: Contour, corners: readon
   const fillets = new Map<number, Fillet>();
   const all = new Set(corners);
   for (const index of all) {
-    const fillet = contour === null ? "space" : filletAt(document, contour, all, index, radius);
+    const fillet = contour === null ? "space" : !(radius > 0) ? "room" : filletAt(document, contour, all, index, radius);
     if (typeof fillet === "string") refused.set(index, fillet);
     else fillets.set(index, fillet);
   }

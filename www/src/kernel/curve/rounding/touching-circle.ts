@@ -79,6 +79,14 @@ function touchingAt({ before, after, turn }: Corner, own: "before" | "after", pl
   return isTouched && isFree && angle > 0 && angle <= mostTurn ? { radius, angle, before: first, after: second } : null;
 }
 
+/** The engine looks at no place farther away than 1e9, and the drawing ends at a tenth of that. */
+const farthest = 5e8;
+
+/** Between lines that turn by a degree, the least that is a corner, the largest radius is 115 times their length. */
+function mostOf({ before, after }: Corner): number {
+  return Math.min(farthest, 120 * (before.reach + after.reach));
+}
+
 interface Looked {
   readonly part: number;
   readonly radius: number;
@@ -88,7 +96,7 @@ interface Looked {
 function look(corner: Corner, part: number): Looked {
   const { before, after, turn } = corner;
   const place = before.at(part);
-  const most = 8 * (before.reach + after.reach);
+  const most = mostOf(corner);
   const radius = place === null ? 0 : largestAt(place, after, turn, most);
   return { part, radius, found: place === null || radius >= most ? null : touchingAt(corner, "before", place, radius) };
 }
@@ -97,7 +105,7 @@ function look(corner: Corner, part: number): Looked {
 function atEndOfSecond(corner: Corner): Looked | null {
   const { before, after, turn } = corner;
   const place = after.at(after.most);
-  const most = 8 * (before.reach + after.reach);
+  const most = mostOf(corner);
   const radius = place === null ? 0 : largestAt(place, before, turn, most);
   const found = place === null || radius >= most ? null : touchingAt(corner, "after", place, radius);
   return found === null ? null : { part: found.before.part, radius, found };
@@ -165,7 +173,7 @@ function firstOf(corner: Corner, radius: number): Touching | null {
  * that. Null where no circle fits into the corner.
  */
 export function touchingCircle(corner: Corner, radius: number): Touching | null {
-  const first = Number.isFinite(radius) ? firstOf(corner, radius) : null;
+  const first = radius < mostOf(corner) ? firstOf(corner, radius) : null;
   if (first !== null) return first;
   const all = circles(corner);
   const [largest] = [...all].sort((a, b) => b.radius - a.radius);
