@@ -50,11 +50,14 @@ export interface DragReadout {
   readonly says?: string;
 }
 
-/** What a frame is taken hold of by: a corner, the middle of a side, what turns it, or what is in it. */
-export type Grip = "nw" | "n" | "ne" | "e" | "se" | "s" | "sw" | "w" | "turn" | "inside";
+/**
+ * What a frame is taken hold of by: a corner, the middle of a side, what turns it, or what is in it; and what rounds a
+ * corner of the drawing.
+ */
+export type Grip = "nw" | "n" | "ne" | "e" | "se" | "s" | "sw" | "w" | "turn" | "inside" | "corner";
 
 /** What stretches it. */
-export type StretchingGrip = Exclude<Grip, "turn" | "inside">;
+export type StretchingGrip = Exclude<Grip, "turn" | "inside" | "corner">;
 
 /** What the pointer or the keyboard is over, for markers, cursors and the hint line. */
 export type Target =

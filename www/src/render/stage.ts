@@ -115,7 +115,7 @@ function curvePainter(editor: Editor, repaint: () => void): Painter {
   const many = late(editor, ({ curve }) => isCrowded(curve), () => import("./small-points.ts"), repaint);
   const sketch = late(editor, sketches, () => import("./layers/sketch.ts"), repaint);
   const weights = late(editor, ({ settings }) => settings.overlays.weights, () => import("./layers/weights.ts"), repaint);
-  const framing = late(editor, ({ selection }) => selection.points.length > 1, () => import("./layers/frame.ts"), repaint);
+  const grips = late(editor, ({ selection }) => selection.points.length > 0, () => import("./layers/grips.ts"), repaint);
   const paint = (scene: Scene): void => {
     grid()?.drawGrid(scene);
     for (const layer of below) layer(scene);
@@ -123,7 +123,7 @@ function curvePainter(editor: Editor, repaint: () => void): Painter {
     drawBezier(scene);
     analysis()?.drawBelow(scene);
     weights()?.drawWeights(scene);
-    framing()?.drawFrame(scene);
+    grips()?.drawGrips(scene);
     for (const layer of curves) layer(scene);
     analysis()?.drawKnots(scene);
     drawHandles(scene);

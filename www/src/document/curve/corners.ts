@@ -55,7 +55,7 @@ export function isLine(contour: Contour, segment: number): boolean {
 }
 
 /** The directions in which a contour comes to a point and leaves it; a handle of no length leaves that to the next. */
-function directionsAt(contour: Contour, index: number): { readonly in: Offset; readonly out: Offset } | null {
+export function directionsAt(contour: Contour, index: number): { readonly in: Offset; readonly out: Offset } | null {
   const [before, after] = segmentsAt(contour, index);
   const [arriving, leaving] = [before === null ? null : pointsOf(contour, before), after === null ? null : pointsOf(contour, after)];
   if (arriving === null || leaving === null) return null;

@@ -44,7 +44,7 @@ export function frameOnScreen(state: EditorState): Bounds | null {
 }
 
 export interface PlacedGrip extends ScreenPoint {
-  readonly grip: Grip;
+  readonly grip: Exclude<Grip, "corner">;
 }
 
 /** Where the grips are on the screen. */
@@ -60,7 +60,7 @@ export function gripsOf(state: EditorState): PlacedGrip[] {
   return [...sides, { grip: "turn", x: box.minX + width / 2, y: box.minY - stem[state.touch ? "touch" : "mouse"] }];
 }
 
-export function nearestGrip(state: EditorState, at: ScreenPoint, reach: number): Grip | null {
+export function nearestGrip(state: EditorState, at: ScreenPoint, reach: number): PlacedGrip["grip"] | null {
   const found = gripsOf(state)
     .map(({ grip, x, y }) => ({ grip, distance: Math.hypot(x - at.x, y - at.y) }))
     .filter(({ distance }) => distance <= reach)

@@ -1,10 +1,10 @@
-import { replaceContour } from "../../document/curve/commands.ts";
+import { replaceContour, type Command } from "../../document/curve/commands.ts";
 import { sharpened, type Rearranged } from "../../document/curve/fillets.ts";
 import type { Contour, CurveDocument, PointRef } from "../../document/document.ts";
 import { decimalsIn } from "../../document/unit.ts";
 import { rounded, type Refusal } from "../../kernel/curve/rounding/rounded.ts";
 import { unitOf } from "../../kernel/unit.ts";
-import type { Editor } from "../editor.ts";
+import type { Editor, EditorState } from "../editor.ts";
 import { chosenCorners, radiiOf, remember, type ChosenCorners, type Rounding } from "./corners.ts";
 import { refuse } from "./edits.ts";
 
@@ -51,6 +51,20 @@ function withRadius(curve: CurveDocument, chosen: ChosenCorners, radius: number)
   };
 }
 
+function commandOf(done: readonly Done[], radius: number): Command {
+  return {
+    name: radius > 0 ? "Round corners" : "Sharpen corners",
+    apply: (document) => done.reduce((now, { index, contour }) => replaceContour(now, index, contour), document),
+    select: { points: done.flatMap(({ points }) => points), handle: null },
+  };
+}
+
+/** The chosen corners of a state with this radius, as far as there is room, and the largest that came of it. */
+export function roundingOf(state: EditorState, radius: number): { readonly command: Command; readonly radius: number } {
+  const done = chosenCorners(state).map((each) => withRadius(state.curve, each, radius));
+  return { command: commandOf(done, radius), radius: Math.max(0, ...done.flatMap(({ radii }) => radii)) };
+}
+
 const isSame = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-12 * Math.max(a, b);
 
 /**
@@ -68,12 +82,8 @@ export function roundCorners(editor: Editor, radius: number, run?: string): void
   if (radius > 0 && refused.length === radii.length) return refuse(editor, `${reasons[refused[0] ?? "room"]}.`);
   const isNew = radii.length !== before.length || !radii.every((each, i) => isSame(each, before[i] ?? 0));
   if (isNew) {
-    editor.dispatch({
-      name: radius > 0 ? "Round corners" : "Sharpen corners",
-      apply: (document) => done.reduce((now, { index, contour }) => replaceContour(now, index, contour), document),
-      select: { points: done.flatMap(({ points }) => points), handle: null },
-      ...(run === undefined ? {} : { run: `${run} ${done.map(({ index }) => index).join(",")}` }),
-    });
+    const command = commandOf(done, radius);
+    editor.dispatch(run === undefined ? command : { ...command, run: `${run} ${done.map(({ index }) => index).join(",")}` });
   }
   const text = radius > 0 ? `${saying(radii.filter((each) => each > 0), radius, unitOf(curve))}${left(refused)}` : `${counted(radii.length)} sharp.`;
   editor.patch({ hint: text });

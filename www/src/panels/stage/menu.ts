@@ -44,8 +44,11 @@ function itemsFor(over: Target, state: EditorState): readonly string[] {
       return itemsForPoint(state, over.handle);
     case "curve":
       return ["insert-here", "reverse", "select-contour"];
-    case "grip":
+    case "grip": {
+      const [point] = state.selection.points;
+      if (over.grip === "corner" && point !== undefined) return itemsForPoint(state, point);
       return ["copy", "cut", "paste", "duplicate", "delete", ...(hasSharp(state) ? ["round-corners"] : []), "to-front", "to-back", "flip-across", "flip-down", "turn-right", "turn-left", "reverse", "zoom-chosen"];
+    }
     case "empty":
       return contours.length > 0 ? ["paste", "copy", "zoom-fit", "select-all"] : ["paste", "samples"];
   }
@@ -62,7 +65,7 @@ export function openMenuOver(editor: Editor, under: Target, event: MouseEvent): 
   const state = editor.state.value;
   const known = itemsFor(over, state).flatMap((id) => editor.actions.get(id) ?? []).filter((action) => action.enabled?.(state) !== false);
   // Where all of a contour goes, there is nothing to heal.
-  const actions = known.map((action) => (over.kind === "grip" && action.id === "delete" ? { ...action, label: "Delete" } : action));
+  const actions = known.map((action) => (over.kind === "grip" && over.grip !== "corner" && action.id === "delete" ? { ...action, label: "Delete" } : action));
   if (actions.length > 0) openMenu(event.clientX, event.clientY, actions, (id) => {
     // The pointer has left the stage for the menu; what is chosen is done where the menu was opened.
     editor.patch({ hover: over });

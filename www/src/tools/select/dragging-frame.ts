@@ -69,7 +69,7 @@ function turnBy(editor: Editor, start: PointerSample): (sample: PointerSample) =
   };
 }
 
-const cursors: Readonly<Record<Grip, string>> = {
+const cursors: Readonly<Record<Exclude<Grip, "corner">, string>> = {
   nw: "nwse-resize", n: "ns-resize", ne: "nesw-resize", e: "ew-resize", se: "nwse-resize", s: "ns-resize", sw: "nesw-resize", w: "ew-resize", turn: "grab", inside: "move",
 };
 
@@ -85,7 +85,7 @@ export function gripUnder(editor: Editor, { screen, page, kind, modifiers }: Poi
   return { kind: "grip", grip, cursor: cursors[grip], hint };
 }
 
-export function dragFrame(editor: Editor, start: PointerSample, grip: Grip): Drag {
+export function dragFrame(editor: Editor, start: PointerSample, grip: Exclude<Grip, "corner">): Drag {
   if (grip === "inside") return dragInside(editor, start);
   const { selection } = editor.state.value;
   const change = grip === "turn" ? turnBy(editor, start) : stretchBy(editor, start, grip);

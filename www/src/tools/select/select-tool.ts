@@ -13,19 +13,19 @@ import { endsAt, segmentAt } from "./segment-at.ts";
 
 /** Select and edit. */
 
-type FrameGrips = typeof import("./dragging-frame.ts");
+type Grips = typeof import("./grips.ts");
 
 const nowhere: Target = { kind: "empty" };
 
 export function createSelectTool(editor: Editor): Tool {
-  /** Its grips are of use when contours are chosen as a whole. */
-  const frame = late(editor, ({ selection }) => selection.points.length > 1, () => import("./dragging-frame.ts"));
+  /** They are of use when something is chosen. */
+  const grips = late(editor, ({ selection }) => selection.points.length > 0, () => import("./grips.ts"));
   /** What the last click hit: the second click of a double-click means the same thing, whatever appeared since. */
   let lastClicked = nowhere;
 
   const gestures = pressOrDrag<Target>({
-    hit: (sample) => (sample.clicks === 2 ? lastClicked : targetOf(editor, frame(), sample)),
-    begin: (start, target) => dragOf(editor, frame(), start, target),
+    hit: (sample) => (sample.clicks === 2 ? lastClicked : targetOf(editor, grips(), sample)),
+    begin: (start, target) => dragOf(editor, grips(), start, target),
     click(hit, sample) {
       // Inside of what is chosen a click means what it means elsewhere.
       const target = hit.kind === "grip" && hit.grip === "inside" ? nowhere : hit;
@@ -40,17 +40,17 @@ export function createSelectTool(editor: Editor): Tool {
 
   return {
     ...gestures,
-    hover: (sample) => announce(editor, targetOf(editor, frame(), sample), sample.modifiers),
+    hover: (sample) => announce(editor, targetOf(editor, grips(), sample), sample.modifiers),
     finish: () => false,
   };
 }
 
-function targetOf(editor: Editor, frame: FrameGrips | null, sample: PointerSample): Target {
+function targetOf(editor: Editor, grips: Grips | null, sample: PointerSample): Target {
   const target = hitTest(editor.state.value, sample.screen, sample.kind);
-  return (target.kind === "empty" ? frame?.gripUnder(editor, sample) : null) ?? target;
+  return (target.kind === "empty" ? grips?.gripUnder(editor, sample) : null) ?? target;
 }
 
-function dragOf(editor: Editor, frame: FrameGrips | null, start: PointerSample, target: Target): Drag {
+function dragOf(editor: Editor, grips: Grips | null, start: PointerSample, target: Target): Drag {
   switch (target.kind) {
     case "point":
       return dragPoints(editor, start, target.point);
@@ -61,7 +61,7 @@ function dragOf(editor: Editor, frame: FrameGrips | null, start: PointerSample, 
       return dragSegment(editor, start, endsAt(curve, target.contour, target.t), segmentAt(curve, target.contour, target.t));
     }
     case "grip":
-      return frame?.dragFrame(editor, start, target.grip) ?? panWith(editor, start);
+      return grips?.dragGrip(editor, start, target.grip) ?? panWith(editor, start);
     case "empty":
       return start.kind === "touch" ? panWith(editor, start) : brush(editor, start);
   }

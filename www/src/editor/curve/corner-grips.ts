@@ -1,0 +1,87 @@
+import { arcAt, cross, directionsAt, pointsOf, segmentsAt, step, type Place } from "../../document/curve/corners.ts";
+import type { Contour, CurveDocument, Offset } from "../../document/document.ts";
+import { toScreen, type ScreenPoint } from "../pointer/camera.ts";
+import type { EditorState } from "../editor.ts";
+import { chosenCorners, type ChosenCorners } from "./corners.ts";
+
+/** Grips of the chosen corners: each is where the centre of its arc is, and in it while the corner is sharp. */
+
+interface Wedge {
+  readonly corner: Place;
+  /** From the corner between its sides, of length 1. */
+  readonly inwards: Offset;
+  /** The sine of half the angle between the sides: the radius of an arc by how far its centre is from the corner. */
+  readonly sine: number;
+  /** How far it is along the shorter side. */
+  readonly room: number;
+  readonly radius: number;
+}
+
+export interface CornerGrip extends Wedge {
+  readonly screen: ScreenPoint;
+}
+
+/** Of more corners each has no grip: they would be in each other's way. */
+const mostGrips = 32;
+/** A grip keeps this far from its corner, CSS pixels, and this far from its sides: points and curves are pressed there. */
+const fromCorner = { mouse: 24, touch: 44 } as const;
+const fromSides = { mouse: 9, touch: 20 } as const;
+
+function unit({ dx, dy }: Offset): Offset {
+  const length = Math.hypot(dx, dy);
+  return { dx: dx / length, dy: dy / length };
+}
+
+function wedge(corner: Place, before: Offset, after: Offset, radius: number): Wedge[] {
+  const [one, other] = [unit(before), unit(after)];
+  const inwards = unit({ dx: one.dx + other.dx, dy: one.dy + other.dy });
+  const sine = Math.abs(cross(one, inwards));
+  const room = Math.min(Math.hypot(before.dx, before.dy), Math.hypot(after.dx, after.dy));
+  return Number.isFinite(inwards.dx) && sine > 0.01 ? [{ corner, inwards, sine, radius, room }] : [];
+}
+
+function wedgeAt(contour: Contour, index: number, radius: number): Wedge[] {
+  const point = contour.points[index];
+  const directions = directionsAt(contour, index);
+  const [before, after] = segmentsAt(contour, index).map((segment) => (segment === null ? null : pointsOf(contour, segment)));
+  if (point === undefined || directions === null || !before || !after) return [];
+  const along = (direction: Offset, other: Place): Offset => {
+    const [{ dx, dy }, chord] = [unit(direction), step(point, other)];
+    const length = Math.hypot(chord.dx, chord.dy);
+    return { dx: dx * length, dy: dy * length };
+  };
+  return wedge(point, along(directions.in, before[0]), along(directions.out, after[1]), radius);
+}
+
+function wedgesOf(curve: CurveDocument, { contour, sharp, arcs, rounding }: ChosenCorners): Wedge[] {
+  const shape = curve.contours[contour];
+  if (shape === undefined) return [];
+  if (rounding !== null) return rounding.corners.flatMap((index, i) => wedgeAt(rounding.base, index, rounding.radii[i] ?? 0));
+  const round = [...arcs].flatMap(([segment, radius]) => {
+    const [arc, ends] = [arcAt(curve, shape, segment), pointsOf(shape, segment)];
+    return arc === null || ends === null ? [] : wedge(arc.corner, step(arc.corner, ends[0]), step(arc.corner, ends[1]), radius);
+  });
+  return [...sharp.flatMap((index) => wedgeAt(shape, index, 0)), ...round];
+}
+
+export function cornerGrips(state: EditorState): CornerGrip[] {
+  if (state.tool !== "select" || state.selection.points.length > 4 * mostGrips) return [];
+  const all = chosenCorners(state).flatMap((each) => wedgesOf(state.curve, each));
+  if (all.length > mostGrips) return [];
+  const { zoom } = state.view;
+  const reach = state.touch ? "touch" : "mouse";
+  return all.flatMap((each) => {
+    const { corner, inwards, sine, room, radius } = each;
+    const least = Math.max(fromCorner[reach], fromSides[reach] / sine) / zoom;
+    if (radius === 0 && room < least) return [];
+    const away = Math.max(least, radius / sine);
+    return [{ ...each, screen: toScreen(state.view, state.stage, { x: corner.x + away * inwards.dx, y: corner.y + away * inwards.dy }) }];
+  });
+}
+
+/** Which grip is within reach of a place. */
+export function cornerGripAt(state: EditorState, at: ScreenPoint, reach: number): CornerGrip | null {
+  const away = ({ screen }: CornerGrip): number => Math.hypot(screen.x - at.x, screen.y - at.y);
+  const [nearest] = cornerGrips(state).sort((a, b) => away(a) - away(b));
+  return nearest !== undefined && away(nearest) <= reach ? nearest : null;
+}
