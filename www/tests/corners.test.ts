@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { arcAt } from "../src/document/curve/corners.ts";
+import { arcAt } from "../src/document/curve/corners/corners.ts";
 import { rectangleIn } from "../src/document/curve/drawing/shapes.ts";
 import { lengthOf, type Contour, type ControlPoint, type CurveDocument } from "../src/document/document.ts";
 import { hermiteOf } from "../src/kernel/curve/curve-cache.ts";

@@ -11,4 +11,4 @@ export const shaping = onDemand(() => import("./adding/shapes.ts"));
 /** The frame around whole contours, what selects them, and what turns and stretches. */
 export const framing = onDemand(() => import("./framing.ts"));
 /** Corners that become round. */
-export const rounding = onDemand(() => import("./rounding.ts"));
+export const rounding = onDemand(() => import("./corners/rounding.ts"));

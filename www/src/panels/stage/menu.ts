@@ -1,7 +1,7 @@
 import "../../styles/menu.css";
 import { isEnd, isSelected, samePoint, type PointRef } from "../../document/document.ts";
 import { frameOf, isInsideFramed, nearestGrip } from "../../editor/curve/framing.ts";
-import { hasSharp } from "../../editor/curve/corners.ts";
+import { hasSharp } from "../../editor/curve/corners/chosen.ts";
 import type { Action, Editor, EditorState, Target } from "../../editor/editor.ts";
 import { toPage } from "../../editor/pointer/camera.ts";
 import { placeOf } from "../../editor/pointer/dom-record.ts";

@@ -1,4 +1,4 @@
-import { cornerGrips } from "../../editor/curve/corner-grips.ts";
+import { cornerGrips } from "../../editor/curve/corners/grips.ts";
 import { inScreen, type Scene } from "../scene.ts";
 
 /** The grips that round the chosen corners; they step aside while something is dragged. */

@@ -13,13 +13,13 @@ import { endsAt, segmentAt } from "./segment-at.ts";
 
 /** Select and edit. */
 
-type Grips = typeof import("./grips.ts");
+type Grips = typeof import("./grips/grips.ts");
 
 const nowhere: Target = { kind: "empty" };
 
 export function createSelectTool(editor: Editor): Tool {
   /** They are of use when something is chosen. */
-  const grips = late(editor, ({ selection }) => selection.points.length > 0, () => import("./grips.ts"));
+  const grips = late(editor, ({ selection }) => selection.points.length > 0, () => import("./grips/grips.ts"));
   /** What the last click hit: the second click of a double-click means the same thing, whatever appeared since. */
   let lastClicked = nowhere;
 

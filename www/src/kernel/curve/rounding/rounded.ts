@@ -1,5 +1,5 @@
-import { mostTurn, leastTurn, cross, dot, isLine, segmentsAt } from "../../../document/curve/corners.ts";
-import { holdingArcs, withFillets, type Fillet, type Rearranged } from "../../../document/curve/fillets.ts";
+import { mostTurn, leastTurn, cross, dot, isLine, segmentsAt } from "../../../document/curve/corners/corners.ts";
+import { holdingArcs, withFillets, type Fillet, type Rearranged } from "../../../document/curve/corners/fillets.ts";
 import type { Contour, CurveDocument } from "../../../document/document.ts";
 import { cutAt, sideOf, type Side } from "./sides.ts";
 import { touchingCircle } from "./touching-circle.ts";

@@ -1,7 +1,7 @@
 import type { Contour, CurveDocument, Offset } from "../../../document/document.ts";
 import { lengthOf, omegaOf } from "../../../document/document.ts";
-import { dot, isLine, pointsOf, step, type Place } from "../../../document/curve/corners.ts";
-import type { Cut } from "../../../document/curve/fillets.ts";
+import { dot, isLine, pointsOf, step, type Place } from "../../../document/curve/corners/corners.ts";
+import type { Cut } from "../../../document/curve/corners/fillets.ts";
 import { hermiteOf } from "../curve-cache.ts";
 
 /** The two segments that meet at a corner, each followed from the corner outwards. */

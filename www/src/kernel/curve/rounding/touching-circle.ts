@@ -1,5 +1,5 @@
 import type { Offset } from "../../../document/document.ts";
-import { cross, dot, mostTurn, step, type Place } from "../../../document/curve/corners.ts";
+import { cross, dot, mostTurn, step, type Place } from "../../../document/curve/corners/corners.ts";
 import type { Side, SidePlace } from "./sides.ts";
 
 /**

@@ -1,4 +1,4 @@
-import { radiusOf } from "../../../editor/curve/corners.ts";
+import { radiusOf } from "../../../editor/curve/corners/chosen.ts";
 import { rounding } from "../../../editor/curve/on-demand.ts";
 import type { Editor } from "../../../editor/editor.ts";
 import type { Section } from "../../mode/panel-parts.ts";

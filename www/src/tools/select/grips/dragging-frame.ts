@@ -1,12 +1,12 @@
-import { stretching, transformPoints, turning, type Affine } from "../../document/curve/affine.ts";
-import { centreOf, frameOf, gripAndAnchor, isInsideFramed, nearestGrip } from "../../editor/curve/framing.ts";
-import type { Editor, Grip, Guide, StretchingGrip, Target } from "../../editor/editor.ts";
-import type { PagePoint } from "../../editor/pointer/camera.ts";
-import { reachOf } from "../../editor/pointer/hit-test.ts";
-import { gridOf, snapPlace } from "../../editor/pointer/snapping.ts";
-import { nothingSketched } from "../../editor/sketch.ts";
-import type { Drag, PointerSample } from "../../editor/tool.ts";
-import { curveDrag } from "./curve-drag.ts";
+import { stretching, transformPoints, turning, type Affine } from "../../../document/curve/affine.ts";
+import { centreOf, frameOf, gripAndAnchor, isInsideFramed, nearestGrip } from "../../../editor/curve/framing.ts";
+import type { Editor, Grip, Guide, StretchingGrip, Target } from "../../../editor/editor.ts";
+import type { PagePoint } from "../../../editor/pointer/camera.ts";
+import { reachOf } from "../../../editor/pointer/hit-test.ts";
+import { gridOf, snapPlace } from "../../../editor/pointer/snapping.ts";
+import { nothingSketched } from "../../../editor/sketch.ts";
+import type { Drag, PointerSample } from "../../../editor/tool.ts";
+import { curveDrag } from "../curve-drag.ts";
 import { dragInside } from "./dragging-inside.ts";
 
 /** Turning and stretching what is chosen by the grips of its frame: circles become ellipses, and are exact. */

@@ -1,5 +1,5 @@
-import type { Editor, Grip, Target } from "../../editor/editor.ts";
-import type { Drag, PointerSample } from "../../editor/tool.ts";
+import type { Editor, Grip, Target } from "../../../editor/editor.ts";
+import type { Drag, PointerSample } from "../../../editor/tool.ts";
 import { cornerUnder, dragCorner } from "./dragging-corner.ts";
 import { dragFrame, gripUnder as frameUnder } from "./dragging-frame.ts";
 

@@ -1,6 +1,6 @@
-import { arcsAt, isCorner } from "../../document/curve/corners.ts";
-import type { Contour, CurveDocument, Selection } from "../../document/document.ts";
-import type { EditorState } from "../editor.ts";
+import { arcsAt, isCorner } from "../../../document/curve/corners/corners.ts";
+import type { Contour, CurveDocument, Selection } from "../../../document/document.ts";
+import type { EditorState } from "../../editor.ts";
 
 /** Which corners are chosen, and how round they are. */
 

@@ -1,12 +1,12 @@
-import { replaceContour, type Command } from "../../document/curve/commands.ts";
-import { sharpened, type Rearranged } from "../../document/curve/fillets.ts";
-import type { Contour, CurveDocument, PointRef } from "../../document/document.ts";
-import { decimalsIn } from "../../document/unit.ts";
-import { rounded, type Refusal } from "../../kernel/curve/rounding/rounded.ts";
-import { unitOf } from "../../kernel/unit.ts";
-import type { Editor, EditorState } from "../editor.ts";
-import { chosenCorners, radiiOf, remember, type ChosenCorners, type Rounding } from "./corners.ts";
-import { refuse } from "./edits.ts";
+import { replaceContour, type Command } from "../../../document/curve/commands.ts";
+import { sharpened, type Rearranged } from "../../../document/curve/corners/fillets.ts";
+import type { Contour, CurveDocument, PointRef } from "../../../document/document.ts";
+import { decimalsIn } from "../../../document/unit.ts";
+import { rounded, type Refusal } from "../../../kernel/curve/rounding/rounded.ts";
+import { unitOf } from "../../../kernel/unit.ts";
+import type { Editor, EditorState } from "../../editor.ts";
+import { chosenCorners, radiiOf, remember, type ChosenCorners, type Rounding } from "./chosen.ts";
+import { refuse } from "../edits.ts";
 
 /** Corners rounded by arcs of circles, made sharp again, or given another radius. */
 
@@ -59,10 +59,14 @@ function commandOf(done: readonly Done[], radius: number): Command {
   };
 }
 
-/** The chosen corners of a state with this radius, as far as there is room, and the largest that came of it. */
-export function roundingOf(state: EditorState, radius: number): { readonly command: Command; readonly radius: number } {
+/** The chosen corners of a state with this radius, as far as there is room, and the largest that came of it in words. */
+export function roundingOf(state: EditorState, radius: number): { readonly command: Command; readonly says: string } {
   const done = chosenCorners(state).map((each) => withRadius(state.curve, each, radius));
-  return { command: commandOf(done, radius), radius: Math.max(0, ...done.flatMap(({ radii }) => radii)) };
+  return { command: commandOf(done, radius), says: `radius ${printedRadius(Math.max(0, ...done.flatMap(({ radii }) => radii)), unitOf(state.curve))}` };
+}
+
+function printedRadius(radius: number, unit: number): string {
+  return String(Number(radius.toFixed(decimalsIn(unit, 2))));
 }
 
 const isSame = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-12 * Math.max(a, b);
@@ -96,7 +100,7 @@ function counted(count: number): string {
 
 /** What was done, and where it is less than was asked for. */
 function saying(radii: readonly number[], asked: number, unit: number): string {
-  const printed = (radius: number): string => String(Number(radius.toFixed(decimalsIn(unit, 2))));
+  const printed = (radius: number): string => printedRadius(radius, unit);
   const [least, most] = [Math.min(...radii), Math.max(...radii)];
   const limited = radii.filter((radius) => radius < asked && !isSame(radius, asked)).length;
   const which = isSame(least, most) ? `radius ${printed(most)}` : `radii from ${printed(least)} to ${printed(most)}`;

@@ -1,5 +1,5 @@
-import { lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Offset } from "../document.ts";
-import { lengthOfOffset, opposite, scaled, turnAt } from "./offset.ts";
+import { lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Offset } from "../../document.ts";
+import { lengthOfOffset, opposite, scaled, turnAt } from "../offset.ts";
 
 /** Corners of contours, and the arcs that stand in place of corners. */
 

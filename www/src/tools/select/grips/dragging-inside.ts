@@ -1,13 +1,13 @@
-import { movePoints, type Command } from "../../document/curve/commands.ts";
-import { translated } from "../../document/curve/contours.ts";
-import type { Selection } from "../../document/document.ts";
-import { centreOf, frameOf } from "../../editor/curve/framing.ts";
-import type { Editor } from "../../editor/editor.ts";
-import type { PagePoint } from "../../editor/pointer/camera.ts";
-import { constrained, gridOf, snapPlace, type Snapped } from "../../editor/pointer/snapping.ts";
-import { nothingSketched } from "../../editor/sketch.ts";
-import type { Drag, PointerSample } from "../../editor/tool.ts";
-import { curveDrag } from "./curve-drag.ts";
+import { movePoints, type Command } from "../../../document/curve/commands.ts";
+import { translated } from "../../../document/curve/contours.ts";
+import type { Selection } from "../../../document/document.ts";
+import { centreOf, frameOf } from "../../../editor/curve/framing.ts";
+import type { Editor } from "../../../editor/editor.ts";
+import type { PagePoint } from "../../../editor/pointer/camera.ts";
+import { constrained, gridOf, snapPlace, type Snapped } from "../../../editor/pointer/snapping.ts";
+import { nothingSketched } from "../../../editor/sketch.ts";
+import type { Drag, PointerSample } from "../../../editor/tool.ts";
+import { curveDrag } from "../curve-drag.ts";
 
 /** Moving contours that are chosen as a whole by what they go round; with Alt, copies of them. */
 

@@ -1,12 +1,10 @@
-import { cornerGripAt } from "../../editor/curve/corner-grips.ts";
-import { rounding } from "../../editor/curve/on-demand.ts";
-import type { Editor, Target } from "../../editor/editor.ts";
-import { reachOf } from "../../editor/pointer/hit-test.ts";
-import { nothingSketched } from "../../editor/sketch.ts";
-import type { Drag, PointerSample } from "../../editor/tool.ts";
-import { decimalsIn } from "../../document/unit.ts";
-import { unitOf } from "../../kernel/unit.ts";
-import { curveDrag } from "./curve-drag.ts";
+import { cornerGripAt } from "../../../editor/curve/corners/grips.ts";
+import { rounding } from "../../../editor/curve/on-demand.ts";
+import type { Editor, Target } from "../../../editor/editor.ts";
+import { reachOf } from "../../../editor/pointer/hit-test.ts";
+import { nothingSketched } from "../../../editor/sketch.ts";
+import type { Drag, PointerSample } from "../../../editor/tool.ts";
+import { curveDrag } from "../curve-drag.ts";
 
 /** Rounding the chosen corners by the grip of one. */
 
@@ -22,7 +20,7 @@ export function dragCorner(editor: Editor, start: PointerSample): Drag | null {
   const state = editor.state.value;
   const grip = cornerGripAt(state, start.screen, reachOf[start.kind]);
   if (grip === null) return null;
-  const unit = unitOf(state.curve);
+  const { unit } = grip;
   const radiusAt = ({ page, modifiers }: PointerSample): number => {
     const along = (page.x - start.page.x) * grip.inwards.dx + (page.y - start.page.y) * grip.inwards.dy;
     const free = Math.max(0, grip.radius + along * grip.sine);
@@ -36,10 +34,9 @@ export function dragCorner(editor: Editor, start: PointerSample): Drag | null {
   editor.begin("Round corners");
   const drag = curveDrag(editor, (sample) => rounding(editor, ({ roundingOf }) => {
     if (isOver) return;
-    const { command, radius } = roundingOf(state, radiusAt(sample));
-    const printed = radius.toFixed(decimalsIn(unit, 2));
+    const { command, says } = roundingOf(state, radiusAt(sample));
     editor.preview(command, {
-      drag: { dx: sample.page.x - start.page.x, dy: sample.page.y - start.page.y, snapped: null, says: `radius ${Number(printed)}` },
+      drag: { dx: sample.page.x - start.page.x, dy: sample.page.y - start.page.y, snapped: null, says },
       sketch: nothingSketched,
     });
   }));

@@ -1,8 +1,9 @@
-import { arcAt, cross, directionsAt, pointsOf, segmentsAt, step, type Place } from "../../document/curve/corners.ts";
-import type { Contour, CurveDocument, Offset } from "../../document/document.ts";
-import { toScreen, type ScreenPoint } from "../pointer/camera.ts";
-import type { EditorState } from "../editor.ts";
-import { chosenCorners, type ChosenCorners } from "./corners.ts";
+import { arcAt, cross, directionsAt, pointsOf, segmentsAt, step, type Place } from "../../../document/curve/corners/corners.ts";
+import type { Contour, CurveDocument, Offset } from "../../../document/document.ts";
+import { unitOf } from "../../../kernel/unit.ts";
+import { toScreen, type ScreenPoint } from "../../pointer/camera.ts";
+import type { EditorState } from "../../editor.ts";
+import { chosenCorners, type ChosenCorners } from "./chosen.ts";
 
 /** Grips of the chosen corners: each is where the centre of its arc is, and in it while the corner is sharp. */
 
@@ -19,6 +20,8 @@ interface Wedge {
 
 export interface CornerGrip extends Wedge {
   readonly screen: ScreenPoint;
+  /** The step of radii that suits the drawing. */
+  readonly unit: number;
 }
 
 /** Of more corners each has no grip: they would be in each other's way. */
@@ -27,14 +30,14 @@ const mostGrips = 32;
 const fromCorner = { mouse: 24, touch: 44 } as const;
 const fromSides = { mouse: 9, touch: 20 } as const;
 
-function unit({ dx, dy }: Offset): Offset {
+function normalised({ dx, dy }: Offset): Offset {
   const length = Math.hypot(dx, dy);
   return { dx: dx / length, dy: dy / length };
 }
 
 function wedge(corner: Place, before: Offset, after: Offset, radius: number): Wedge[] {
-  const [one, other] = [unit(before), unit(after)];
-  const inwards = unit({ dx: one.dx + other.dx, dy: one.dy + other.dy });
+  const [one, other] = [normalised(before), normalised(after)];
+  const inwards = normalised({ dx: one.dx + other.dx, dy: one.dy + other.dy });
   const sine = Math.abs(cross(one, inwards));
   const room = Math.min(Math.hypot(before.dx, before.dy), Math.hypot(after.dx, after.dy));
   return Number.isFinite(inwards.dx) && sine > 0.01 ? [{ corner, inwards, sine, radius, room }] : [];
@@ -46,7 +49,7 @@ function wedgeAt(contour: Contour, index: number, radius: number): Wedge[] {
   const [before, after] = segmentsAt(contour, index).map((segment) => (segment === null ? null : pointsOf(contour, segment)));
   if (point === undefined || directions === null || !before || !after) return [];
   const along = (direction: Offset, other: Place): Offset => {
-    const [{ dx, dy }, chord] = [unit(direction), step(point, other)];
+    const [{ dx, dy }, chord] = [normalised(direction), step(point, other)];
     const length = Math.hypot(chord.dx, chord.dy);
     return { dx: dx * length, dy: dy * length };
   };
@@ -68,14 +71,14 @@ export function cornerGrips(state: EditorState): CornerGrip[] {
   if (state.tool !== "select" || state.selection.points.length > 4 * mostGrips) return [];
   const all = chosenCorners(state).flatMap((each) => wedgesOf(state.curve, each));
   if (all.length > mostGrips) return [];
-  const { zoom } = state.view;
+  const [{ zoom }, unit] = [state.view, unitOf(state.curve)];
   const reach = state.touch ? "touch" : "mouse";
   return all.flatMap((each) => {
     const { corner, inwards, sine, room, radius } = each;
     const least = Math.max(fromCorner[reach], fromSides[reach] / sine) / zoom;
     if (radius === 0 && room < least) return [];
     const away = Math.max(least, radius / sine);
-    return [{ ...each, screen: toScreen(state.view, state.stage, { x: corner.x + away * inwards.dx, y: corner.y + away * inwards.dy }) }];
+    return [{ ...each, unit, screen: toScreen(state.view, state.stage, { x: corner.x + away * inwards.dx, y: corner.y + away * inwards.dy }) }];
   });
 }
 

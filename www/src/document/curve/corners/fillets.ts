@@ -1,7 +1,7 @@
-import { lengthOf, type Contour, type ControlPoint, type CurveDocument, type Offset } from "../document.ts";
+import { lengthOf, type Contour, type ControlPoint, type CurveDocument, type Offset } from "../../document.ts";
 import { arcAt, isLine, pointsOf, segmentsAt, step, type Place } from "./corners.ts";
-import { kindOf, opposite, scaled } from "./offset.ts";
-import { withPinnedOmega } from "./whole/rearranging.ts";
+import { kindOf, opposite, scaled } from "../offset.ts";
+import { withPinnedOmega } from "../whole/rearranging.ts";
 
 /** Arcs put in place of corners, and corners in place of arcs. */
 
