@@ -101,8 +101,14 @@ function unit(offset: Offset): Offset {
   return scaled(offset, 1 / Math.hypot(offset.dx, offset.dy));
 }
 
+/** Without −0, which would not survive being written down. */
+function clean({ dx, dy }: Offset): Offset {
+  return { dx: dx + 0, dy: dy + 0 };
+}
+
 function joint({ x, y }: Place, into: Offset, out: Offset): ControlPoint {
-  return { x: x + 0, y: y + 0, kind: kindOf({ in: into, out }), in: into, out };
+  const handles = { in: clean(into), out: clean(out) };
+  return { x: x + 0, y: y + 0, kind: kindOf(handles), ...handles };
 }
 
 /** A handle at a cut that has no segment left: what follows brings its own. */
@@ -158,7 +164,7 @@ function joinRound(built: Rebuilding, made: Map<number, readonly [number, number
 
 function withHandles(point: ControlPoint, into: Offset | undefined, out: Offset | undefined): ControlPoint {
   if (into === undefined && out === undefined) return point;
-  const handles = { in: into ?? point.in, out: out ?? point.out };
+  const handles = { in: clean(into ?? point.in), out: clean(out ?? point.out) };
   return { ...point, ...handles, kind: point.kind === "cusp" ? "cusp" : kindOf(handles) };
 }
 
