@@ -25,6 +25,7 @@ const gesturesOf: Readonly<Record<Mode, readonly Gesture[]>> = {
     ["Drag across empty space", "selects; Shift adds, Alt subtracts"],
     ["Drag inside a selected shape", "moves all of it; Alt-drag copies it"],
     ["Drag a grip on the frame", "scales or rotates whole contours exactly; Shift keeps proportions"],
+    ["Drag the dot inside a selected corner", "rounds all selected corners with exact arcs"],
     ["Shift or Alt with arrow keys", "nudges by 10 or by 0.1"],
     ["Right-click, long press", "opens a menu for what is there"],
   ],
