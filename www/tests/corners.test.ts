@@ -272,7 +272,7 @@ test("an arc between lines tells its radius and its corner, turned and moved and
   assert.deepEqual(found.map((arc) => (arc === null ? null : Math.round(arc.radius * 1e9) / 1e9)), [20, null, 20, null, 20, null, 20, null]);
   assert.deepEqual([found[0]?.corner, found[2]?.corner], [{ x: 100, y: 50 }, { x: 300, y: 50 }]);
   const pill = rounded(paper, rectangle, [0, 1, 2, 3], 50).contour;
-  assert.equal(pill.points.filter((_, segment) => arcAt(paper, pill, segment) !== null).length, 4, "a side may be gone");
+  assert.ok(pill.points.every((_, segment) => arcAt(paper, pill, segment) === null), "half a circle between two lines may have been one ever since");
   // Stretched in one direction its corners are no circles.
   const wide: Contour = { ...contour, points: contour.points.map((point) => ({ ...point, x: 2 * point.x, in: { dx: 2 * point.in.dx, dy: point.in.dy }, out: { dx: 2 * point.out.dx, dy: point.out.dy } })) };
   assert.ok(wide.points.every((_, segment) => arcAt(paper, wide, segment) === null));

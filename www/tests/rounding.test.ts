@@ -162,6 +162,20 @@ test("what cannot be rounded is refused with its reason, and nothing changes", (
   assert.equal(radius(choose(through, [0, 3])), null);
 });
 
+test("Round corners leaves alone what is round, and the bowl of an R, which never had corners", () => {
+  const hand = new Hand("glyph").run("select-all");
+  assert.equal(radius(hand), 0);
+  hand.run("round-corners");
+  assert.equal(hint(hand), "9 corners rounded, radius 5.");
+  near(radius(hand), 5);
+  const mixed = choose(handOf([rectangle]), [0, 0]);
+  roundCorners(mixed.editor, 30);
+  mixed.run("select-all");
+  assert.ok(Number.isNaN(radius(mixed)), "several radii");
+  mixed.run("round-corners");
+  assert.deepEqual(arcsOf(mixed).sort(), ["20 20", "20 20", "20 20", "30 30"]);
+});
+
 test("steps typed one after the other are one entry of the history", () => {
   const hand = handOf([rectangle]).run("select-all");
   const start = hand.curve;
@@ -206,4 +220,12 @@ test("many corners at once, most of them between curves, take little time", () =
   // A corner asks a bounded number of times for a nearest place; this took 1 s on a machine with ten other things to do.
   assert.ok(performance.now() - start < 5000);
   assert.equal(hand.curve.contours[0]?.points.length, 201 + 199);
+  const more = handOf(contoursOfPath(`M0 0${Array.from({ length: 600 }, (_, i) => `Q${20 * i + 10} 40 ${20 * (i + 1)} 0`).join("")}`)).run("select-all");
+  roundCorners(more.editor, 2);
+  assert.match(hint(more), /at most 500 corners/u);
+  const zigzag = handOf(contoursOfPath(`M0 0${Array.from({ length: 4000 }, (_, i) => `L${20 * (i + 1)} ${30 * ((i + 1) % 2)}`).join("")}`)).run("select-all");
+  const then = performance.now();
+  roundCorners(zigzag.editor, 2);
+  assert.ok(performance.now() - then < 5000);
+  assert.equal(zigzag.curve.contours[0]?.points.length, 4001 + 3999);
 });

@@ -109,8 +109,8 @@ function meeting(from: Place, leaving: Offset, to: Place, arriving: Offset): Pla
 }
 
 /**
- * The corner that a segment is the rounding of: it is an arc of a circle between two straight sides that touch it. One
- * of them may be gone, where the next arc follows at once; between two arcs nobody can tell a corner from a circle.
+ * The corner that a segment is the rounding of: it is an arc of a circle between two straight sides that touch it. Of
+ * an arc beside another one nobody can tell whether there ever was a corner.
  */
 export function arcAt(curve: CurveDocument, contour: Contour, segment: number): CornerArc | null {
   if (contour.family !== "hermite") return null;
@@ -123,14 +123,13 @@ export function arcAt(curve: CurveDocument, contour: Contour, segment: number): 
   if (before === null || after === null || before === after) return null;
   const side = (neighbour: number, tangent: Offset): Offset | null => {
     const line = isLine(contour, neighbour) ? pointsOf(contour, neighbour) : null;
-    const direction = line === null ? tangent : step(...line);
-    const touches = Math.abs(cross(direction, tangent)) <= likeness * lengthOfOffset(direction) * lengthOfOffset(tangent) && dot(direction, tangent) > 0;
-    return touches && (line !== null || circleOf(curve, contour, neighbour) !== null) ? direction : null;
+    if (line === null) return null;
+    const direction = step(...line);
+    const across = Math.abs(cross(direction, tangent));
+    return across <= likeness * lengthOfOffset(direction) * lengthOfOffset(tangent) && dot(direction, tangent) > 0 ? direction : null;
   };
-  if (!isLine(contour, before) && !isLine(contour, after)) return null;
   const [leaving, arriving] = [side(before, from.out), side(after, opposite(to.in))];
-  const smooth = turnAt(from) < likeness && turnAt(to) < likeness;
-  const corner = leaving === null || arriving === null || !smooth ? null : meeting(from, leaving, to, arriving);
+  const corner = leaving === null || arriving === null ? null : meeting(from, leaving, to, arriving);
   return corner === null ? null : { radius, corner };
 }
 

@@ -182,19 +182,17 @@ export function sharpened(curve: CurveDocument, given: Contour, arcs: ReadonlySe
   const nodes: { readonly point: ControlPoint; readonly segment: number | null; readonly isFresh: boolean }[] = [];
   contour.points.forEach((point, index) => {
     const [before, after] = segmentsAt(contour, index);
-    const isArc = (segment: number | null): boolean => segment !== null && arcs.has(segment);
-    const isSide = (segment: number | null): boolean => segment !== null && (arcs.has(segment) || isLine(contour, segment));
-    // Between an arc and a side that goes straight on to its corner there is nothing to be seen.
-    const isPassed = (isArc(before) && isSide(after)) || (isArc(after) && isSide(before));
+    // Where an arc began or ended its side goes straight on to the corner.
+    const isPassed = [before, after].some((segment) => segment !== null && arcs.has(segment));
     if (!isPassed) {
       stayed.set(index, nodes.length);
-      nodes.push({ point, segment: isArc(after) ? null : after, isFresh: false });
+      nodes.push({ point, segment: after, isFresh: false });
     }
     const arc = after !== null && arcs.has(after) ? arcAt(curve, contour, after) : null;
     if (after === null || arc === null) return;
     made.set(after, [nodes.length, nodes.length]);
     const [, next] = segmentsAt(contour, (index + 1) % contour.points.length);
-    nodes.push({ point: { ...arc.corner, kind: "cusp", in: none, out: none }, segment: isArc(next) ? null : next, isFresh: true });
+    nodes.push({ point: { ...arc.corner, kind: "cusp", in: none, out: none }, segment: next, isFresh: true });
   });
   const built = new Rebuilding();
   nodes.forEach(({ point, segment, isFresh }, i) => {

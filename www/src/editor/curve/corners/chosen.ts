@@ -16,8 +16,8 @@ export interface Rounding {
 }
 
 /**
- * Between lines an arc shows what it was made of. Between curves only this knows, and of two arcs that meet; it goes
- * with the contour.
+ * Between lines an arc shows what it was made of. Between curves, and where arcs meet, only this knows; it goes with the
+ * contour.
  */
 const roundings = new WeakMap<Contour, Rounding>();
 
@@ -87,5 +87,5 @@ export function radiusOf(state: Pick<EditorState, "mode" | "curve" | "selection"
 
 /** Whether a corner is chosen that is not round. */
 export function hasSharp(state: Pick<EditorState, "mode" | "curve" | "selection">): boolean {
-  return radiiOf(chosenCorners(state)).includes(0);
+  return chosenCorners(state).some(({ sharp }) => sharp.length > 0);
 }

@@ -1,4 +1,5 @@
 import { replaceContour, type Command } from "../../../document/curve/commands.ts";
+import { isLine, segmentsAt } from "../../../document/curve/corners/corners.ts";
 import { sharpened, type Rearranged } from "../../../document/curve/corners/fillets.ts";
 import type { Contour, CurveDocument, PointRef } from "../../../document/document.ts";
 import { decimalsIn } from "../../../document/unit.ts";
@@ -69,17 +70,28 @@ function printedRadius(radius: number, unit: number): string {
   return String(Number(radius.toFixed(decimalsIn(unit, 2))));
 }
 
+/** Each is looked for in some milliseconds: more would stop the page. */
+const mostBetweenCurves = 500;
+
+function betweenCurves(curve: CurveDocument, chosen: readonly ChosenCorners[]): number {
+  return chosen.reduce((sum, { contour, sharp: corners, rounding }) => {
+    const [base, list] = rounding === null ? [curve.contours[contour], corners] : [rounding.base, rounding.corners];
+    const isBetween = (index: number): boolean => base !== undefined && segmentsAt(base, index).some((segment) => segment !== null && !isLine(base, segment));
+    return sum + list.filter(isBetween).length;
+  }, 0);
+}
+
 const isSame = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-12 * Math.max(a, b);
 
 /**
  * Gives all chosen corners this radius, or the largest that there is room for; 0 makes them sharp. A run of typed steps
  * is one entry of the history.
  */
-export function roundCorners(editor: Editor, radius: number, run?: string): void {
+export function roundCorners(editor: Editor, radius: number, run?: string, chosen = chosenCorners(editor.state.value)): void {
   const { curve } = editor.state.value;
-  const chosen = chosenCorners(editor.state.value);
   if (chosen.length === 0) return refuse(editor, "Select a corner: a point where the direction changes.");
   if (!(radius >= 0)) return;
+  if (betweenCurves(curve, chosen) > mostBetweenCurves) return refuse(editor, `Select at most ${mostBetweenCurves} corners between curves at once.`);
   const done = chosen.map((each) => withRadius(curve, each, radius));
   const [radii, refused] = [done.flatMap((each) => each.radii), done.flatMap((each) => each.refused)];
   const before = radiiOf(chosen);
@@ -115,19 +127,19 @@ function left(refused: readonly Refusal[]): string {
 }
 
 /** The largest of 1, 2 and 5 times a power of ten that is no more than half of what there is room for. */
-export function usualRadius(editor: Editor): number {
-  const { curve } = editor.state.value;
-  const radii = chosenCorners(editor.state.value).flatMap((each) => withRadius(curve, each, Infinity).radii).filter((radius) => radius > 0);
+function usualRadius(curve: CurveDocument, chosen: readonly ChosenCorners[]): number {
+  const radii = chosen.flatMap((each) => withRadius(curve, each, Infinity).radii).filter((radius) => radius > 0);
   if (radii.length === 0) return 0;
   const most = Math.min(...radii) / 2;
   const ten = 10 ** Math.floor(Math.log10(most));
   return ten * ([5, 2].find((times) => times * ten <= most) ?? 1);
 }
 
-/** What the key and the menu do: sharp corners get a radius that suits them all. */
+/** What the key and the menu do: corners that are sharp get a radius that suits them all; what is round stays. */
 export function roundChosen(editor: Editor): void {
-  const radii = radiiOf(chosenCorners(editor.state.value));
-  if (radii.length > 0 && !radii.includes(0)) return refuse(editor, "These corners are round. Change their radius under Selected.");
+  const chosen = chosenCorners(editor.state.value);
+  const sharpOnes = chosen.filter(({ sharp: corners }) => corners.length > 0).map((each) => ({ ...each, arcs: new Map<number, number>(), rounding: null }));
+  if (chosen.length > 0 && sharpOnes.length === 0) return refuse(editor, "These corners are round. Change their radius under Selected.");
   // Where no circle fits at all, any radius says why.
-  roundCorners(editor, usualRadius(editor) || 1);
+  roundCorners(editor, usualRadius(editor.state.value.curve, sharpOnes) || 1, undefined, sharpOnes);
 }
