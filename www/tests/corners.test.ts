@@ -228,7 +228,7 @@ test("random corners between cubics either get an arc that touches both sides, o
     const [from = -1] = result.made.get(1) ?? [];
     assertArcs(result, 1e-9 * Math.max(1, 1 / made));
     const circle = circleOf(result.contour, from, 1e-9 * Math.max(1, 1 / made));
-    for (const side of [0, 1]) assert.ok(Math.abs(nearestOf(contour, side, circle) - made) <= 1e-6 * (made + 1), "it touches, and cuts nothing");
+    for (const side of [0, 1]) assert.ok(Math.abs(nearestOf(contour, side, circle) - made) <= 1e-9 * (made + 1), "it touches, and cuts nothing");
   }
   assert.ok(done >= 30, `${done} of 60 were rounded`);
 });

@@ -41,7 +41,7 @@ export function pointsOf(contour: Contour, segment: number): readonly [ControlPo
 /** By how much a handle may stand off a line, as part of its length: moves and turns leave rounding. */
 const offLine = 1e-9;
 
-/** Whether a segment runs straight from its one point to the other, so that nothing but its two points is seen of it. */
+/** Whether a segment runs straight from one point to the other, so that nothing else is seen of it. */
 export function isLine(contour: Contour, segment: number): boolean {
   const ends = pointsOf(contour, segment);
   if (ends === null) return false;

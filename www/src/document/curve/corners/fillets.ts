@@ -88,13 +88,12 @@ function keptOf(contour: Contour, fillets: ReadonlyMap<number, Fillet>, segment:
   const share = (end?.part ?? 1) - (start?.part ?? 0);
   if (share <= nothingLeft) return null;
   const whole = lengthOf(contour, segment);
-  const omega = contour.omega?.[segment] ?? 0;
-  // Where no lengths are written down, none need be: only the product of both is seen.
-  const own = contour.lengths === undefined ? { omega: omega * share, length: 1 } : { omega, length: whole * share };
-  if (isLine(contour, segment)) return { ...own, omega: 0, ...line(start?.at ?? ends[0], end?.at ?? ends[1]) };
+  const length = whole * share;
+  // Of a line nothing but its ends is seen: where no lengths are written down, none need be.
+  if (isLine(contour, segment)) return { omega: 0, length: contour.lengths === undefined ? 1 : length, ...line(start?.at ?? ends[0], end?.at ?? ends[1]) };
   const out = start === undefined ? scaled(ends[0].out, share) : scaled(start.tangent, share / 3);
   const into = end === undefined ? scaled(ends[1].in, share) : opposite(scaled(end.tangent, share / 3));
-  return { ...own, out, into };
+  return { omega: contour.omega?.[segment] ?? 0, length, out, into };
 }
 
 function unit(offset: Offset): Offset {

@@ -16,8 +16,8 @@ export interface Rounding {
 }
 
 /**
- * Between lines an arc shows what it was made of. Between curves, and where arcs meet, only this knows; it goes with the
- * contour.
+ * Between lines an arc shows what it was made of. Between curves, and where arcs meet, only this knows; it goes with
+ * the contour.
  */
 const roundings = new WeakMap<Contour, Rounding>();
 

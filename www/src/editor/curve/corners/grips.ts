@@ -26,7 +26,7 @@ export interface CornerGrip extends Wedge {
 
 /** Of more corners each has no grip: they would be in each other's way. */
 const mostGrips = 32;
-/** A grip keeps this far from its corner, CSS pixels, and this far from its sides: points and curves are pressed there. */
+/** From a grip to its corner and to its sides, CSS pixels: points and curves are pressed there. */
 const fromCorner = { mouse: 24, touch: 44 } as const;
 const fromSides = { mouse: 9, touch: 20 } as const;
 

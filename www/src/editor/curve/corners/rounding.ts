@@ -60,7 +60,7 @@ function commandOf(done: readonly Done[], radius: number): Command {
   };
 }
 
-/** The chosen corners of a state with this radius, as far as there is room, and the largest that came of it in words. */
+/** The chosen corners of a state with this radius, as far as there is room; in words, the largest that came of it. */
 export function roundingOf(state: EditorState, radius: number): { readonly command: Command; readonly says: string } {
   const done = chosenCorners(state).map((each) => withRadius(state.curve, each, radius));
   return { command: commandOf(done, radius), says: `radius ${printedRadius(Math.max(0, ...done.flatMap(({ radii }) => radii)), unitOf(state.curve))}` };

@@ -26,7 +26,7 @@ export interface Side {
   readonly isLine: boolean;
 }
 
-/** The side of a corner before it, or behind it; `half` of it where its other end is a corner that is rounded as well. */
+/** The side of a corner before it, or behind it; `half` of it where its other end is rounded as well. */
 export function sideOf(document: CurveDocument, contour: Contour, segment: number, isBefore: boolean, half: boolean): Side | null {
   const ends = pointsOf(contour, segment);
   if (ends === null) return null;

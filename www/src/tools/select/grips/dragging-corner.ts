@@ -26,19 +26,28 @@ export function dragCorner(editor: Editor, start: PointerSample): Drag | null {
     const free = Math.max(0, grip.radius + along * grip.sine);
     return editor.state.value.settings.snap && !modifiers.mod ? unit * Math.round(free / unit) : free;
   };
-  let isOver = false;
-  const end = (over: () => void) => (): void => {
-    isOver = true;
-    over();
-  };
+  let [isOver, isShown] = [false, false];
   editor.begin("Round corners");
   const drag = curveDrag(editor, (sample) => rounding(editor, ({ roundingOf }) => {
     if (isOver) return;
+    isShown = true;
     const { command, says } = roundingOf(state, radiusAt(sample));
     editor.preview(command, {
       drag: { dx: sample.page.x - start.page.x, dy: sample.page.y - start.page.y, snapped: null, says },
       sketch: nothingSketched,
     });
   }));
-  return { update: drag.update, finish: (sample) => end(() => drag.finish(sample))(), cancel: end(drag.cancel) };
+  return {
+    update: drag.update,
+    finish(sample) {
+      isOver = true;
+      drag.finish(sample);
+      // What rounds may come after a quick finger has gone.
+      if (!isShown) rounding(editor, ({ roundCorners }) => roundCorners(editor, radiusAt(sample)));
+    },
+    cancel() {
+      isOver = true;
+      drag.cancel();
+    },
+  };
 }
