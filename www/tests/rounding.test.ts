@@ -10,6 +10,7 @@ import { hasSharp, radiusOf } from "../src/editor/curve/corners/chosen.ts";
 import { roundCorners } from "../src/editor/curve/corners/rounding.ts";
 import { setFamily } from "../src/editor/curve/family-edits.ts";
 import { rounding } from "../src/editor/curve/on-demand.ts";
+import { hitTest } from "../src/editor/pointer/hit-test.ts";
 import { hintFor } from "../src/editor/hint.ts";
 import { readShareHash, shareLink } from "../src/io/link/share.ts";
 import { hermiteOf } from "../src/kernel/curve/curve-cache.ts";
@@ -224,6 +225,17 @@ test("a grip inside of each chosen corner rounds them all; Escape leaves them as
   assert.deepEqual(hand.curve, start);
   hand.editor.patch({ view: { ...hand.editor.state.value.view, zoom: 0.05 } });
   assert.equal(cornerGrips(hand.editor.state.value).length, 0, "where there is no room for them there are none");
+});
+
+test("no handle of a sharp corner is pressed in place of its grip", async () => {
+  for (const kind of ["mouse", "touch"] as const) {
+    const hand = choose(new Hand("heart"), [0, 0]);
+    hand.editor.patch({ touch: kind === "touch" });
+    while (hand.editor.loading.size > 0) await Promise.all(hand.editor.loading);
+    const [grip] = cornerGrips(hand.editor.state.value);
+    assert.ok(grip);
+    assert.equal(hitTest(hand.editor.state.value, grip.screen, kind).kind, "empty");
+  }
 });
 
 test("many corners at once, most of them between curves, take little time", () => {

@@ -16,6 +16,8 @@ interface Wedge {
   /** How far it is along the shorter side. */
   readonly room: number;
   readonly radius: number;
+  /** The handles of a sharp corner. */
+  readonly handles: readonly Offset[];
 }
 
 export interface CornerGrip extends Wedge {
@@ -29,18 +31,19 @@ const mostGrips = 32;
 /** From a grip to its corner and to its sides, CSS pixels: points and curves are pressed there. */
 const fromCorner = { mouse: 24, touch: 44 } as const;
 const fromSides = { mouse: 9, touch: 20 } as const;
+const fromHandles = { mouse: 17, touch: 34 } as const;
 
 function normalised({ dx, dy }: Offset): Offset {
   const length = Math.hypot(dx, dy);
   return { dx: dx / length, dy: dy / length };
 }
 
-function wedge(corner: Place, before: Offset, after: Offset, radius: number): Wedge[] {
+function wedge(corner: Place, before: Offset, after: Offset, radius: number, handles: readonly Offset[] = []): Wedge[] {
   const [one, other] = [normalised(before), normalised(after)];
   const inwards = normalised({ dx: one.dx + other.dx, dy: one.dy + other.dy });
   const sine = Math.abs(cross(one, inwards));
   const room = Math.min(Math.hypot(before.dx, before.dy), Math.hypot(after.dx, after.dy));
-  return Number.isFinite(inwards.dx) && sine > 0.01 ? [{ corner, inwards, sine, radius, room }] : [];
+  return Number.isFinite(inwards.dx) && sine > 0.01 ? [{ corner, inwards, sine, radius, room, handles }] : [];
 }
 
 function wedgeAt(contour: Contour, index: number, radius: number): Wedge[] {
@@ -53,7 +56,7 @@ function wedgeAt(contour: Contour, index: number, radius: number): Wedge[] {
     const length = Math.hypot(chord.dx, chord.dy);
     return { dx: dx * length, dy: dy * length };
   };
-  return wedge(point, along(directions.in, before[0]), along(directions.out, after[1]), radius);
+  return wedge(point, along(directions.in, before[0]), along(directions.out, after[1]), radius, radius === 0 ? [point.in, point.out] : []);
 }
 
 function wedgesOf(curve: CurveDocument, { contour, sharp, arcs, rounding }: ChosenCorners): Wedge[] {
@@ -67,6 +70,12 @@ function wedgesOf(curve: CurveDocument, { contour, sharp, arcs, rounding }: Chos
   return [...sharp.flatMap((index) => wedgeAt(shape, index, 0)), ...round];
 }
 
+/** Beyond a handle that would be pressed in its place: in sharp corners handles are close to the middle. */
+function besideHandle(away: number, handle: Offset, inwards: Offset, clear: number): number {
+  const along = handle.dx * inwards.dx + handle.dy * inwards.dy;
+  return Math.hypot(away - along, cross(handle, inwards)) < clear ? along + clear : away;
+}
+
 export function cornerGrips(state: EditorState): CornerGrip[] {
   if (state.tool !== "select" || state.selection.points.length > 4 * mostGrips) return [];
   const all = chosenCorners(state).flatMap((each) => wedgesOf(state.curve, each));
@@ -74,10 +83,10 @@ export function cornerGrips(state: EditorState): CornerGrip[] {
   const [{ zoom }, unit] = [state.view, unitOf(state.curve)];
   const reach = state.touch ? "touch" : "mouse";
   return all.flatMap((each) => {
-    const { corner, inwards, sine, room, radius } = each;
+    const { corner, inwards, sine, room, radius, handles } = each;
     const least = Math.max(fromCorner[reach], fromSides[reach] / sine) / zoom;
     if (radius === 0 && room < least) return [];
-    const away = Math.max(least, radius / sine);
+    const away = handles.reduce((now, handle) => besideHandle(now, handle, inwards, fromHandles[reach] / zoom), Math.max(least, radius / sine));
     return [{ ...each, unit, screen: toScreen(state.view, state.stage, { x: corner.x + away * inwards.dx, y: corner.y + away * inwards.dy }) }];
   });
 }
