@@ -372,3 +372,35 @@ test("the zoom is that of the view: moving a point changes neither, and fitting 
   await demo.press("Enter");
   assert.equal(await percent(), "50 %");
 });
+
+test("the wheel zooms at the pointer: the point under it stays there, and the surface is not gone through", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-sphere");
+  const before = await demo.centre("cp-1-3");
+  // A wheel is on whole pixels.
+  const at = { x: Math.floor(before.x), y: Math.floor(before.y) };
+  for (let turn = 0; turn < 5; turn += 1) await demo.wheel(at, 5);
+  const [now, zoom] = [await demo.centre("cp-1-3"), parseFloat(await demo.byId("zoom-pct").inputValue()) / 100];
+  assert.ok(zoom > 10);
+  // What is beside the pointer, as far away as what is under it, goes away from it by as much as is zoomed.
+  const wanted = { x: at.x + zoom * (before.x - at.x), y: at.y + zoom * (before.y - at.y) };
+  assert.ok(Math.hypot(now.x - wanted.x, now.y - wanted.y) <= 1.5, JSON.stringify({ at, now, wanted }));
+  // Insides are warm, and whoever is in the sphere sees nothing else.
+  assert.ok((await shares(demo)).inside < 0.01);
+});
+
+test("without a drag the view turns as well: by buttons, and by arrows while nothing is selected", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-torus");
+  const before = await mesh(demo);
+  const first = await picture(demo);
+  await demo.byId("surf-turn-left").click();
+  await demo.idle();
+  const turned = await picture(demo);
+  assert.notDeepEqual(turned, first);
+  assert.match(await demo.textOf("live"), /Seen from \d+ degrees around, \d+ degrees above/u);
+  await demo.focusStage();
+  await demo.press("ArrowRight");
+  assert.notDeepEqual(await picture(demo), turned);
+  await demo.press("Shift+ArrowRight", "Alt+ArrowDown");
+  assert.deepEqual(await mesh(demo), before);
+  assert.equal(await demo.byId("btn-undo").isDisabled(), true);
+});

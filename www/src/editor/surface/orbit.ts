@@ -82,6 +82,14 @@ export function projector(orbit: Orbit, stage: StageBox): (point: Vector) => Pro
   };
 }
 
+/** The line of sight through a place of the screen: one step along it is one unit of depth. */
+export function sightThrough(orbit: Orbit, stage: StageBox, { x, y }: ScreenPoint): { readonly eye: Vector; readonly along: Vector } {
+  const { eye, right, up, back } = frameOf(orbit);
+  const scale = focal(stage);
+  const across = add([0, 0, 0], right, (x - stage.width / 2) / scale);
+  return { eye, along: subtract(add(across, up, (stage.height / 2 - y) / scale), back) };
+}
+
 /** The step in space, parallel to the screen, that moves a point by CSS pixels. */
 export function stepInView(orbit: Orbit, stage: StageBox, at: Vector, dx: number, dy: number): Vector {
   const { eye, right, up, back } = frameOf(orbit);
@@ -103,18 +111,29 @@ export function stepAlong(orbit: Orbit, stage: StageBox, at: Vector, axis: Vecto
   return add([0, 0, 0], direction, (dx * ax + dy * ay) / size);
 }
 
+/** As a hand turns it that moves by CSS pixels. */
 export function turned(orbit: Orbit, dx: number, dy: number): Orbit {
-  const pitch = Math.max(-steepest, Math.min(steepest, orbit.pitch + dy * 0.008));
-  return { ...orbit, yaw: (orbit.yaw - dx * 0.008) % (2 * Math.PI), pitch };
+  return turnedBy(orbit, dx * 0.008, dy * 0.008);
 }
 
-export function shifted(orbit: Orbit, stage: StageBox, dx: number, dy: number): Orbit {
-  return { ...orbit, target: subtract(orbit.target, stepInView(orbit, stage, orbit.target, dx, dy)) };
+/** What faces the eye goes to the right and down, by radians. */
+export function turnedBy(orbit: Orbit, right: number, down: number): Orbit {
+  const pitch = Math.max(-steepest, Math.min(steepest, orbit.pitch + down));
+  return { ...orbit, yaw: (orbit.yaw - right) % (2 * Math.PI), pitch };
 }
 
-/** Closer by a factor, twenty times nearer to twenty times farther than what fits: 5 % as in every mode. */
-export function dollied(orbit: Orbit, factor: number, fitting: number): Orbit {
-  return { ...orbit, distance: Math.max(fitting / 20, Math.min(fitting * 20, orbit.distance / factor)) };
+/** What is as far away as `at` goes with the hand. */
+export function shifted(orbit: Orbit, stage: StageBox, dx: number, dy: number, at: Vector = orbit.target): Orbit {
+  return { ...orbit, target: subtract(orbit.target, stepInView(orbit, stage, at, dx, dy)) };
+}
+
+/**
+ * Closer by a factor to a place that stays where it is on the screen, twenty times nearer to twenty times farther than
+ * what fits: 5 % as in every mode.
+ */
+export function dollied(orbit: Orbit, factor: number, fitting: number, to: Vector = orbit.target): Orbit {
+  const distance = Math.max(fitting / 20, Math.min(fitting * 20, orbit.distance / factor));
+  return { ...orbit, distance, target: add(to, subtract(orbit.target, to), distance / orbit.distance) };
 }
 
 export interface Ball {

@@ -5,7 +5,7 @@ import { extentOf, netPoints, type ShownPoint } from "../../kernel/surface/surfa
 import { madeSurface, openedSurface, refinedHere, surfaceSample, withNetPoints } from "../../kernel/surface/surface.ts";
 import { printed, refuse } from "../curve/edits.ts";
 import type { Editor } from "../editor.ts";
-import { add, fittingDistance, frameOf, type Orbit, type Vector } from "./orbit.ts";
+import { add, fittingDistance, frameOf, turnedBy, type Orbit, type Vector } from "./orbit.ts";
 import { startOrbit, type DragAxis, type SolidState } from "./solid.ts";
 
 /** The edits of the surface that its tool, keys and panel share. */
@@ -66,6 +66,19 @@ export function fitSurface(editor: Editor, fresh = false): void {
 
 export function lookFrom(editor: Editor, turn: { readonly yaw: number; readonly pitch: number }): void {
   patchSolid(editor, { orbit: { ...editor.state.value.solid.orbit, ...turn } });
+}
+
+/** Without a hand on the stage: by degrees, as a drag to the right and down would. */
+export function turnView(editor: Editor, right: number, down: number): void {
+  const orbit = turnedBy(editor.state.value.solid.orbit, (right * Math.PI) / 180, (down * Math.PI) / 180);
+  patchSolid(editor, { orbit });
+  editor.notify({ kind: "announce", text: describeOrbit(orbit) });
+}
+
+/** "Seen from 120 degrees around, 30 degrees above". */
+function describeOrbit({ yaw, pitch }: Orbit): string {
+  const [around, height] = [yaw, pitch].map((angle) => Math.round((angle * 180) / Math.PI)) as [number, number];
+  return `Seen from ${(around + 360) % 360} degrees around, ${Math.abs(height)} degrees ${height < 0 ? "below" : "above"}`;
 }
 
 export function shownPoint(surface: SurfaceDocument, ref: NetRef): ShownPoint | undefined {

@@ -19,7 +19,7 @@ export function surfaceSummary({ surface }: EditorState): string {
   const points = netPoints(surface).length;
   const finer = surface.details?.length ?? 0;
   const places = finer === 0 ? "" : `, ${finer} refined ${finer === 1 ? "area" : "areas"}`;
-  return `A surface with ${points} control points and ${surface.patches} patches${places}. Brackets step through the points, arrows move the selected one, Shift with 1, 2 or 3 shows the front, side or top.`;
+  return `A surface with ${points} control points and ${surface.patches} patches${places}. Brackets step through the points, arrows move the selected one, or turn the view while none is selected, Shift with 1, 2 or 3 shows the front, side or top.`;
 }
 
 export function surfaceChosen({ surface, chosen }: EditorState): string {

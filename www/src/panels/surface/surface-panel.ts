@@ -1,13 +1,14 @@
 import "../../styles/buttons.css";
 import "../../styles/surface.css";
 import { surfaceSamples, surfaceTitle } from "../../document/surface/surface-samples.ts";
-import type { EditorState } from "../../editor/editor.ts";
+import type { Editor, EditorState } from "../../editor/editor.ts";
 import type { Shade } from "../../editor/surface/solid.ts";
-import { openSurfaceSample, patchSolid, setNetSize, setSurfaceLevels } from "../../editor/surface/surface-edits.ts";
+import { turn } from "../../editor/surface/surface-actions.ts";
+import { openSurfaceSample, patchSolid, setNetSize, setSurfaceLevels, turnView } from "../../editor/surface/surface-edits.ts";
 import { netSize } from "../../kernel/surface/surface-net.ts";
 import { h, setText } from "../controls/dom.ts";
 import { numberField, selectField, sliderField, toggleField } from "../controls/fields.ts";
-import { glyph } from "../controls/icons.ts";
+import { glyph, icon } from "../controls/icons.ts";
 import type { ModePanel, Section } from "../mode/panel-parts.ts";
 import { stackedPanel } from "../mode/stacked-panel.ts";
 import type { Shell } from "../shell.ts";
@@ -133,7 +134,7 @@ function showSection(shell: Shell): Section {
       h("span", { class: "field-label" }, "Look from"),
       h("span", { class: "button-group" }, ...views),
     ),
-    shade.element, note, sides.element, h("div", { class: "toggles" }, ...switches.map(({ field }) => field.element)));
+    turnPad(editor), shade.element, note, sides.element, h("div", { class: "toggles" }, ...switches.map(({ field }) => field.element)));
   return {
     element,
     update({ solid }) {
@@ -143,6 +144,20 @@ function showSection(shell: Shell): Section {
       for (const { name, field } of switches) field.show(solid[name]);
     },
   };
+}
+
+/** Turning without dragging. */
+function turnPad(editor: Editor): HTMLElement {
+  const buttons = ([["left", -1, 0], ["up", 0, -1], ["down", 0, 1], ["right", 1, 0]] as const).map(([name, right, down]) =>
+    h("button", {
+      class: "icon-button", type: "button", testid: `surf-turn-${name}`, "aria-label": `Turn ${name}`,
+      title: `Turn the view ${name} by ${turn}°; with Alt by 1°. Arrow keys do it while nothing is selected.`,
+      click: ({ altKey }: MouseEvent) => {
+        const by = altKey ? 1 : turn;
+        turnView(editor, right * by, down * by);
+      },
+    }, icon(name)));
+  return h("div", { class: "field nudge", role: "group", "aria-label": "Turn" }, h("span", { class: "field-label" }, "Turn"), h("span", { class: "nudge-pad" }, ...buttons));
 }
 
 function legendSection(): Section {
