@@ -127,3 +127,22 @@ test("what a cancelled trace still sends is heard no more", async (t) => {
   await demo.idle();
   assert.deepEqual(await counts(demo), star);
 });
+
+test("after Cancel the page says whose settings the outlines are of, until they are traced anew", async (t) => {
+  const demo = await openWithGate(t, "#/trace?sample=trace-star");
+  const { page } = demo;
+  const behind = demo.byId("trace-behind");
+  assert.equal(await behind.isVisible(), false);
+  await page.evaluate(() => (window.traceGate.closed = true));
+  await demo.byId("trace-corner").fill("180");
+  await page.waitForFunction(() => window.traceGate.waiting.length > 0);
+  await demo.byId("trace-cancel").click();
+  await demo.idle();
+  assert.equal(await behind.isVisible(), true);
+  assert.match(await demo.textOf("hint"), /of the settings before/u);
+  await page.evaluate(() => (window.traceGate.closed = false));
+  await demo.byId("trace-run").click();
+  await demo.idle();
+  assert.equal(await behind.isVisible(), false);
+  assert.equal((await counts(demo)).cusps, 0);
+});

@@ -3,9 +3,9 @@ import { test } from "node:test";
 import { parseState, readState, writeState } from "../src/document/file/file.ts";
 import { traceSample, traceSamples } from "../src/document/trace/trace-samples.ts";
 import { emptyTrace, toleranceOf, traceDefaults } from "../src/document/trace/trace.ts";
-import { tracedDrawing } from "../src/editor/trace/hand-over.ts";
+import { smoothInFit, tracedDrawing } from "../src/editor/trace/hand-over.ts";
 import { drawingOf, openPicture, openTraceSample, setTrace, shownOf } from "../src/editor/trace/trace-edits.ts";
-import { traceHint, traceSummary } from "../src/editor/trace/trace-hint.ts";
+import { behindText, traceHint, traceSummary } from "../src/editor/trace/trace-hint.ts";
 import { registerTraceActions } from "../src/editor/trace/trace-actions.ts";
 import { howOf } from "../src/editor/trace/trace-question.ts";
 import { createTraceRunner, type TraceRunner } from "../src/editor/trace/trace-runner.ts";
@@ -274,6 +274,38 @@ test("Cancel keeps the outlines that were there, says so, and Trace asks again",
   runner.again();
   assert.equal(asked.length, 3);
   assert.deepEqual(asked[2]?.how, asked[1]?.how);
+});
+
+test("outlines whose settings were changed by a cancelled trace are said to be of those before, and go to Fit as exact as they were made", () => {
+  const { hand, runner, clock, say } = tracing();
+  const { editor } = hand;
+  openTraceSample(editor, "trace-disc");
+  say();
+  runner.cancel();
+  assert.equal(editor.state.value.traceRun.behind, false, "nothing was under way, nothing has changed");
+  runner.again();
+  runner.cancel();
+  assert.equal(editor.state.value.traceRun.behind, false, "the same once more");
+  const before = editor.state.value.trace.settings.detail;
+  setTrace(editor, "Detail", { detail: 90 });
+  clock.pass(200);
+  assert.equal(editor.state.value.traceRun.behind, false, "not while the new ones are on their way");
+  runner.cancel();
+  assert.equal(traceHint(editor.state.value), behindText);
+  assert.ok(traceSummary(editor.state.value).includes(behindText));
+  smoothInFit(editor);
+  assert.equal(editor.state.value.fit.targetError, Number((2 * toleranceOf(before)).toPrecision(2)));
+  editor.patch({ mode: "trace" });
+  runner.again();
+  say();
+  assert.equal(editor.state.value.traceRun.behind, false);
+  assert.notEqual(traceHint(editor.state.value), behindText);
+  setTrace(editor, "Detail", { detail: 70 });
+  clock.pass(200);
+  runner.cancel();
+  editor.undo();
+  clock.pass(200);
+  assert.equal(editor.state.value.traceRun.behind, false, "what is undone is asked for anew");
 });
 
 test("a photograph is refused, and traced when somebody wants it all the same", () => {

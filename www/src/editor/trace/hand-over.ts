@@ -31,12 +31,13 @@ export function tracedLayers(state: EditorState): { readonly color: string; read
 }
 
 export function smoothInFit(editor: Editor): void {
-  const { trace } = editor.state.value;
+  const { trace, traceRun } = editor.state.value;
   const [shown, drawing] = [shownOf(editor.state.value), tracedDrawing(editor.state.value)];
   if (shown === null || drawing === null) return;
   const strokes = placesAlong(drawing, inkedContours(shown), apart, mostPlaces);
-  // Smoother than the trace, by as much again as Detail gave away.
-  const within = Number((2 * toleranceOf(trace.settings.detail)).toPrecision(2));
+  // Smoother than the trace, by as much again as Detail gave away when it was made.
+  const { settings } = traceRun.of ?? trace;
+  const within = Number((2 * toleranceOf(settings.detail)).toPrecision(2));
   const count = strokes.reduce((sum, { places }) => sum + places.length, 0);
   handOver(editor, `Copied the outlines to Fit, ${count} points. The picture stays in Trace.`, () =>
     bringStrokes(editor, { name: "Smooth the trace", strokes, within, instead: "all", setting: drawing }));

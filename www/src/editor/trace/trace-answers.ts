@@ -1,4 +1,5 @@
 import { traceSample } from "../../document/trace/trace-samples.ts";
+import type { TraceDocument } from "../../document/trace/trace.ts";
 import { outcomeOf } from "../../kernel/trace/outcome.ts";
 import type { TraceHandlers } from "../../kernel/trace/trace-client.ts";
 import type { Editor } from "../editor.ts";
@@ -31,8 +32,8 @@ function sayLeftOut(editor: Editor): void {
   editor.notify({ kind: "toast", text: leftOutText(left), actionId: "trace-keep-small" });
 }
 
-/** `settle` is called whenever a job is over. */
-export function traceAnswers(editor: Editor, settle: () => void): TraceHandlers {
+/** `settle` is called whenever a job is over; `asked` says what the last one was asked for with. */
+export function traceAnswers(editor: Editor, settle: () => void, asked: () => TraceDocument | null): TraceHandlers {
   const over = (change: Partial<TraceRun>): void => restTraceRun(editor, change);
   return {
     progress(stage, value, done, total) {
@@ -43,16 +44,16 @@ export function traceAnswers(editor: Editor, settle: () => void): TraceHandlers 
       const name = trace.picture?.name ?? traceSample(trace.sample ?? "")?.title ?? "";
       const other = traceRun.picture?.key !== key;
       closePicture(editor);
-      setTraceRun(editor, { picture: { key, name, width, height, analysed, source, edges, threshold, colored }, ...(other ? { outcome: null, failure: null } : {}) });
+      setTraceRun(editor, { picture: { key, name, width, height, analysed, source, edges, threshold, colored }, ...(other ? { outcome: null, of: null, failure: null } : {}) });
       if (other && trace.picture !== undefined && losesColors(editor.state.value)) {
         editor.notify({ kind: "toast", text: "This picture has several colours. Its dark shapes are traced as one ink.", actionId: "trace-colors" });
       }
     },
     traced(result, ms) {
-      if (result.outlines.length === 0) over({ outcome: null, failure: { id: "trace-none" }, lastMs: ms });
+      if (result.outlines.length === 0) over({ outcome: null, of: null, failure: { id: "trace-none" }, lastMs: ms });
       else {
         const isFirst = editor.state.value.traceRun.outcome === null;
-        over({ outcome: outcomeOf(result, editor.state.value.trace.sample), failure: null, lastMs: ms });
+        over({ outcome: outcomeOf(result, editor.state.value.trace.sample), of: asked(), failure: null, lastMs: ms });
         if (isFirst) sayLeftOut(editor);
       }
       setTraceView(editor, { chosen: null, over: null });

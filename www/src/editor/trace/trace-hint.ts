@@ -9,6 +9,7 @@ export function traceHint(state: EditorState): string {
   const { traceView, traceRun, trace, hint } = state;
   if (traceView.over !== null) return `${describePoint(state, traceView.over)}: ${state.touch ? "double-tap" : "double-click"} to toggle the corner`;
   if (isEmptyTrace(trace)) return "";
+  if (traceRun.behind) return behindText;
   if (hint !== "") return hint;
   if (traceView.view === "edges" && traceRun.picture !== null) {
     // Between colours there is no threshold.
@@ -18,6 +19,9 @@ export function traceHint(state: EditorState): string {
     ? ""
     : state.touch ? "Double-tap a point to switch between corner and smooth." : `Double-click a point to switch between corner and smooth.${traceRun.picture === null ? "" : " Hold O to see only the picture."}`;
 }
+
+/** Of outlines whose settings have changed since, as the trace with them was cancelled. */
+export const behindText = "These outlines are of the settings before. Trace makes them anew.";
 
 /** "12 shapes or holes smaller than 16 px² were left out." */
 export function leftOutText({ count, below }: LeftOut): string {
@@ -35,7 +39,7 @@ export function traceSummary(state: EditorState): string {
   const holes = shown.holes.filter((hole) => hole).length;
   const left = shown.leftOut === undefined ? "" : ` ${leftOutText(shown.leftOut)}`;
   const error = max === null ? "" : ` No place is farther than ${max.toPrecision(2)} pixels from the edge in the picture.`;
-  return `${picture?.name ?? trace.kept?.name ?? "The picture"}: ${counted(drawing.contours.length, "outline")}, ${holes} of them holes, ${counted(pointCount(drawing), "point")}, ${counted(cornersIn(drawing).length, "corner")}.${error}${left} Brackets step through the points, C toggles a corner.`;
+  return `${picture?.name ?? trace.kept?.name ?? "The picture"}: ${counted(drawing.contours.length, "outline")}, ${holes} of them holes, ${counted(pointCount(drawing), "point")}, ${counted(cornersIn(drawing).length, "corner")}.${error}${left}${traceRun.behind ? ` ${behindText}` : ""} Brackets step through the points, C toggles a corner.`;
 }
 
 function counted(count: number, what: string): string {

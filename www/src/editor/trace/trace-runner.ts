@@ -48,6 +48,8 @@ class Runner implements TraceRunner {
   readonly #waiters = createWaiters(() => this.#endWait === null && this.#opening === 0 && !this.#client.busy);
   /** The document that was asked for last. */
   #asked: TraceDocument | null = null;
+  /** The document that the last trace was begun for. */
+  #begun: TraceDocument | null = null;
   /** While a question waits for the next: calls it off. */
   #endWait: (() => void) | null = null;
   /** Pictures that are being looked at. */
@@ -56,7 +58,7 @@ class Runner implements TraceRunner {
   constructor(options: TraceRunnerOptions) {
     this.#options = options;
     this.#editor = options.editor;
-    this.#client = options.connect(traceAnswers(options.editor, this.#waiters.settle));
+    this.#client = options.connect(traceAnswers(options.editor, this.#waiters.settle, () => this.#begun));
   }
 
   again(): void {
@@ -65,8 +67,10 @@ class Runner implements TraceRunner {
 
   cancel(): void {
     this.dropWait();
+    const { trace, traceRun: { of } } = this.#editor.state.value;
+    const behind = of !== null && !sameQuestion(of, trace);
     if (this.#client.cancel()) this.#editor.notify({ kind: "toast", text: "Cancelled" });
-    restTraceRun(this.#editor);
+    restTraceRun(this.#editor, { behind });
     this.#waiters.settle();
   }
 
@@ -111,10 +115,10 @@ class Runner implements TraceRunner {
     this.dropWait();
     const { trace } = this.#editor.state.value;
     const source = sourceOf(trace);
-    this.#asked = trace;
+    this.#asked = this.#begun = trace;
     if (source === null) return this.#showKept(trace);
     this.#editor.patch({
-      traceRun: { ...this.#editor.state.value.traceRun, since: this.#options.now() },
+      traceRun: { ...this.#editor.state.value.traceRun, since: this.#options.now(), behind: false },
       traceProgress: { stage: "decoding", value: 0, done: 0, total: 1 },
     });
     this.#client.trace(source, howOf(trace));

@@ -40,6 +40,10 @@ export interface TraceRun {
   readonly picture: ShownPicture | null;
   /** The last outlines that came back; while others are under way they stay on the stage. */
   readonly outcome: TraceOutcome | null;
+  /** What those outlines were asked for with; null where they came without a picture. */
+  readonly of: TraceDocument | null;
+  /** The settings have changed since, and the trace with them was cancelled. */
+  readonly behind: boolean;
   readonly failure: TraceFailure | null;
   /** Since when a job is under way, in milliseconds of the page; null: none is. */
   readonly since: number | null;
@@ -57,4 +61,4 @@ export interface Incoming {
 
 export const initialTraceView: TraceView = { view: "result", alpha: 35, chosen: null, over: null };
 
-export const noTraceRun: TraceRun = { picture: null, outcome: null, failure: null, since: null, lastMs: 0 };
+export const noTraceRun: TraceRun = { picture: null, outcome: null, of: null, behind: false, failure: null, since: null, lastMs: 0 };

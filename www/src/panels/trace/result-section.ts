@@ -1,7 +1,7 @@
 import { hasPicture } from "../../document/trace/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { leftOutOf, shownOf } from "../../editor/trace/trace-edits.ts";
-import { leftOutText } from "../../editor/trace/trace-hint.ts";
+import { behindText, leftOutText } from "../../editor/trace/trace-hint.ts";
 import { cornersIn, pointCount, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import { h, setText } from "../controls/dom.ts";
 import { formatBytes, formatCount, formatDeviation } from "../controls/format.ts";
@@ -31,17 +31,20 @@ export function resultSection(shell: Shell): Section {
     title: "Export the outlines as SVG, path, JSON or PNG.",
     click: () => editor.actions.run("export"),
   }, h("span", {}, "Export"));
+  const behind = h("p", { class: "field-note", testid: "trace-behind" }, behindText);
   const keep = action("Keep them", "trace-keep-small", "Trace again with a speckle that keeps them (S).");
   const left = h("p", { class: "field-note", testid: "trace-left-out" });
   const offer = h("div", { class: "trace-left-out" }, left, keep);
   let printed: TraceOutcome | null = null;
   return {
     element: h("section", { class: "section", "aria-label": "Result" },
-      h("div", { class: "field-row" }, run, cancel, state),
+      h("div", { class: "field-row" }, run, cancel, state), behind,
       h("div", { class: "legend" }, corners.row, smooth.row), list, offer,
       h("div", { class: "field-row trace-actions" }, edit, fit, save)),
     update(now) {
-      const { trace, traceRun: { since }, traceProgress: progress } = now;
+      const { trace, traceRun, traceProgress: progress } = now;
+      const { since } = traceRun;
+      behind.hidden = !traceRun.behind;
       run.disabled = !hasPicture(trace);
       cancel.hidden = since === null;
       setText(state, since === null || progress === null ? "" : progressText(progress));
