@@ -40,6 +40,7 @@ const ROWS = [
   ["length, 1e-9 asked for", "length within 1e-9"],
   ["nearest point, 10 000 queries", "nearest point", /^[1-9]\d* of \d+ missed/],
   ["polyline within 0.1", "polyline within 0.1", /^\d+ points/],
+  ["polyline within 0.001", "polyline within 0.001", /^\d+ points/],
   ["parse a path of 1000 cubics", "parse a path of 1000 cubics"],
   ["print a path of 1000 cubics", "print it with 3 decimals"],
 ];
@@ -48,6 +49,7 @@ const ROWS = [
 const BESIDE = [
   ["a fresh Node process", "start in a fresh process: import and first point"],
   ["1000 points evenly by arc length", "a point (1000 of them, evenly by length)", /off [\d.e+-]+/],
+  ["polyline within 0.1 of an exponential curve (ω = π/2)", "a polyline within 0.1 of an exponential curve", /^\d+ points/],
   ["cubics within 1e-3 of an exponential curve (ω = π/2)", "an exponential curve as cubics within 1e-3", /^\d+ cubics/],
   ["interpolating curve, points one by one", "a point of an interpolating curve"],
   ["surface mesh with normals", "a vertex of a surface mesh with its normal", /no normals/],

@@ -7,6 +7,7 @@ import { paper } from "./peers.mjs";
 /** A distance that is larger than the true one by more than this is a miss: 1e-6 of a pixel. */
 const MISS = 1e-6;
 const TOLERANCE = 0.1;
+const FINE_TOLERANCE = 0.001;
 const LENGTH_TOLERANCE = 1e-9;
 const CUBIC_TOLERANCE = 1e-3;
 
@@ -142,10 +143,20 @@ function polylineDeviation(numbers) {
     }
     worst = Math.max(worst, best);
   }
-  return `${n} points, off ${Math.sqrt(worst).toFixed(4)}`;
+  return `${n} points, off ${Math.sqrt(worst).toFixed(5)}`;
 }
 
 function flatten({ curve, kurbo, native, path }) {
+  const all = polylines({ curve, kurbo, path }, TOLERANCE);
+  const natively = (name, operation) => ({ name, measure: native.measure(operation), units: 1, note: () => `${native.answer(operation)} points` });
+  all.contestants.splice(1, 0, natively("expline, native", "expline:flatten"), natively("kurbo, native", "kurbo:flatten"));
+  return { ...all, targets: [["kurbo, wasm", 8]] };
+}
+
+/** A polyline that is good enough to be cut or milled. */
+const flattenFinely = (peers) => polylines(peers, FINE_TOLERANCE);
+
+function polylines({ curve, kurbo, path }, tolerance) {
   let polyline;
   let count;
   let flat;
@@ -153,17 +164,22 @@ function flatten({ curve, kurbo, native, path }) {
   return {
     unit: "call",
     contestants: [
-      row("expline, wasm", () => (polyline = curve.flatten(TOLERANCE)), () => polylineDeviation(polyline)),
-      { name: "expline, native", measure: native.measure("expline:flatten"), units: 1, note: () => `${native.answer("expline:flatten")} points` },
-      { name: "kurbo, native", measure: native.measure("kurbo:flatten"), units: 1, note: () => `${native.answer("kurbo:flatten")} points` },
-      row("kurbo, wasm", () => (count = kurbo.flatten(TOLERANCE)), () => polylineDeviation(kurbo.numbers(2 * count))),
+      row("expline, wasm", () => (polyline = curve.flatten(tolerance)), () => polylineDeviation(polyline)),
+      row("kurbo, wasm", () => (count = kurbo.flatten(tolerance)), () => polylineDeviation(kurbo.numbers(2 * count))),
       row("paper", () => {
         flat = path.clone({ insert: false });
-        flat.flatten(TOLERANCE);
+        flat.flatten(tolerance);
       }, () => polylineDeviation(Float64Array.from(flat.segments.flatMap((s) => [s.point.x, s.point.y])))),
     ],
-    targets: [["kurbo, wasm", 8]],
+    targets: [],
   };
+}
+
+/** A polyline of an exponential curve, which nobody else has: beside that of cubics through the same points. */
+function flattenExponential({ curve, exponential }) {
+  let polyline;
+  const row = (name, from) => ({ name, measure: here(() => (polyline = from.flatten(TOLERANCE))), units: 1, note: () => `${polyline.length / 2} points` });
+  return { unit: "call", contestants: [row("expline, wasm", exponential), row("cubics through the same points", curve)], targets: [] };
 }
 
 /** An exponential curve as cubics. kurbo fits whatever it can ask for points; it looks for an error, ours is proved. */
@@ -193,5 +209,7 @@ export const geometryRows = [
   ["length, 1e-9 asked for", length],
   ["nearest point, 10 000 queries", nearest],
   ["polyline within 0.1", flatten],
+  ["polyline within 0.001", flattenFinely],
+  ["polyline within 0.1 of an exponential curve (ω = π/2)", flattenExponential],
   ["cubics within 1e-3 of an exponential curve (ω = π/2)", toCubics],
 ];

@@ -1,11 +1,12 @@
 //! What is asked of curves, written once, against their [`Pieces`](super::pieces::Pieces): lengths, areas, bounds,
 //! curvature, nearest points, polylines and cubic Béziers.
 
+mod arc_chords;
+mod arcs;
 pub(super) mod area;
 pub(super) mod bounds;
 pub(super) mod by_length;
 mod chords;
-mod cubic_chords;
 mod cubic_fit;
 mod cubic_proof;
 pub(super) mod cubics;

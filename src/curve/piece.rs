@@ -88,6 +88,13 @@ impl Piece {
         Self { a, b, p, q, rate: 0.0, w: 0.0, form: Form::Cubic, powers, fourth: 0.0 }
     }
 
+    /// The cubic, or with a rate the trigonometric or hyperbolic piece, with that point and those derivatives in the
+    /// middle; w of at most 4.
+    pub(crate) fn about([a, b, p, q]: [Vector; 4], rate: f64) -> Self {
+        let form = if rate == 0.0 { Form::Cubic } else { Form::Centred };
+        Self { a, rate, w: rate.abs().sqrt(), form, ..Self::cubic(b, p, q) }
+    }
+
     /// The polynomial with these coefficients of ascending powers of y, x and y in turn.
     pub(crate) fn polynomial(coefficients: &[f64]) -> Self {
         let mut powers: Vec<Vector> = Vec::with_capacity(coefficients.len() / 2);

@@ -16,6 +16,7 @@ mod kept_promises;
 mod laws;
 mod measures;
 mod nearest;
+mod polylines;
 mod sampling;
 mod spline_grids;
 mod spline_measures;

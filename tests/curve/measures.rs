@@ -1,4 +1,4 @@
-//! Length, area, bounds, curvature and flattening against closed forms and dense sums.
+//! Length, area, bounds and curvature against closed forms and dense sums.
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -189,88 +189,6 @@ fn places_by_length_end_at_what_doubles_can_tell_apart() {
                 (curve.evaluate(t, 0).expect("inside") - curve.evaluate(near, 0).expect("inside")).norm();
             assert!(gap < 1e-9 * size, "case {case}: {t} against {near}");
         }
-    }
-}
-
-/// The largest distance of 4000 points of a curve from a polyline along which they follow each other.
-fn farthest(curve: &HermiteCurve, polyline: &[f64]) -> f64 {
-    let ends: Vec<Point> = polyline.chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect();
-    let (_, end) = curve.domain();
-    let (mut worst, mut near) = (0.0_f64, 0);
-    for k in 0..=4000 {
-        let place = curve.evaluate(end * f64::from(k) / 4000.0, 0).expect("inside");
-        let gap = |i: usize| {
-            let (from, chord) = (ends[i], ends[i + 1] - ends[i]);
-            let share = ((place - from).dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
-            (place - from - chord * share).norm()
-        };
-        // The nearest chord so far, or one soon after it.
-        let last = (near + 3).min(ends.len() - 2);
-        near = (near..=last).min_by(|&a, &b| gap(a).total_cmp(&gap(b))).expect("chords");
-        worst = worst.max(gap(near));
-    }
-    worst
-}
-
-#[test]
-fn nearly_straight_curves_are_as_near_to_their_polylines_as_was_asked() {
-    for turn in 0..24 {
-        let (sin, cos) = (0.26 * f64::from(turn) + 0.1).sin_cos();
-        for bump in [1e-7, 1e-6, 1e-5, 1e-3] {
-            let turned = |x: f64, y: f64| Vector::new(cos * x - sin * y, sin * x + cos * y);
-            let curve = HermiteCurve::new(HermiteOptions {
-                points: vec![turned(0.0, 0.0), turned(1.0, 0.0)],
-                tangents: vec![turned(1.1, 4.0 * bump), turned(0.9, -3.0 * bump)],
-                space: Some(Space::Polynomial),
-                ..HermiteOptions::default()
-            })
-            .expect("a curve");
-            for tolerance in [2e-9, 1e-7, 1e-4] {
-                let (polyline, deviation) = curve.flatten(tolerance).expect("a polyline");
-                let off = farthest(&curve, &polyline);
-                assert!(off <= tolerance + 1e-15, "turn {turn}, bump {bump}: {off} for {tolerance}");
-                assert!(off <= deviation + 1e-15, "turn {turn}, bump {bump}: {off}, said to be {deviation}");
-                let fewest = (6.0 * bump / (8.0 * tolerance)).sqrt();
-                let count = (polyline.len() / 2) as f64;
-                assert!(
-                    count <= 1.2 * fewest + 3.0,
-                    "turn {turn}, bump {bump}: {count} points, {fewest} wanted"
-                );
-            }
-        }
-    }
-}
-
-#[test]
-fn polylines_have_hardly_more_points_than_chords_of_equal_error_would() {
-    let mut random = Random::new(5);
-    for case in 0..60 {
-        let curve = random_curve(&mut random, case);
-        let size = curve.bounds().extent();
-        if size <= 1e-9 {
-            continue;
-        }
-        // A chord of a short arc is off by κ·ds²/8: the root of that, summed.
-        let (tolerance, steps) = (1e-7 * size, 4000 * curve.segment_count());
-        let step = curve.domain().1 / steps as f64;
-        let chords = |k: usize| {
-            let t = step * (k as f64 + 0.5);
-            let at = |order| curve.evaluate(t, order).expect("inside");
-            let (first, second) = (at(1), at(2));
-            let turn = (first.x * second.y - first.y * second.x).abs();
-            step * (turn / (8.0 * tolerance * first.norm().max(1e-300))).sqrt()
-        };
-        let fewest: f64 = (0..steps).map(chords).sum();
-        let (polyline, deviation) = curve.flatten(tolerance).expect("a polyline");
-        assert!(deviation <= tolerance, "case {case}: {deviation}");
-        let count = (polyline.len() / 2) as f64;
-        // And some where the curve turns round, of which straight ones may consist.
-        let segments = curve.segment_count() as f64;
-        if fewest < 50.0 * segments {
-            continue;
-        }
-        let most = 1.12 * fewest + 24.0 * segments;
-        assert!(count <= most, "case {case}: {count} points, {fewest} would do");
     }
 }
 
