@@ -185,7 +185,7 @@ export class Demo {
     await this.idle();
   }
 
-  async dragFrom(from: Place, dx: number, dy: number, steps = 8): Promise<void> {
+  async dragFrom(from: Place, dx: number, dy: number, steps = 4): Promise<void> {
     const { mouse } = this.page;
     await mouse.move(from.x, from.y);
     await mouse.down();
