@@ -1,8 +1,8 @@
 //! Arcs of a curve: the parts that are cut into chords, group by group.
 //!
-//! Densities of chords are taken to be linear in each of a few cells, which near an inflection is wrong by more the more
-//! chords a cell has. So an arc of many chords is cut into shorter ones first, and so is one whose chords are not near
-//! enough.
+//! Densities of chords are taken to be linear in each of a few cells, which near an inflection is wrong by more the
+//! more chords a cell has. So an arc of many chords is cut into shorter ones first, and so is one whose chords are not
+//! near enough.
 
 use super::arc_chords::{Chords, Densities, GROUP};
 use super::spreading::part_count;
