@@ -1,7 +1,7 @@
 //! Chords of arcs: spread, proved and written, several arcs or several chords at a time, where that can be in single
 //! precision.
 //!
-//! An arc is a part of a piece, or all of it, whose width times frequency is at most [`WIDEST`](super::arcs::WIDEST).
+//! An arc is a part of a piece, or all of it, whose width times frequency is at most [`WIDEST`].
 //! Let v, a, j be its derivatives in the middle of a chord c of parameter width h. With u from −1 to 1 along it the
 //! cubic with the chord's ends and the same a and j is off the chord, at equal parameters, by
 //!
@@ -18,10 +18,12 @@
 //! at most, what Taylor's sum lacks at u and at the ends, and c/h is off by h⁴/1920·max|r⁽⁵⁾| at most
 //! ([`Turning::off_cubics`]).
 
-use super::arcs::Arc;
 use crate::numerics::entire::{Stumpff, stumpff};
 use crate::numerics::plane::{cross, taxi};
+use crate::numerics::{Point, Vector};
 
+/// The most that an arc runs through: its width times its frequency.
+pub(super) const WIDEST: f64 = core::f64::consts::FRAC_PI_2;
 /// Parts of an arc in each of which the density of chords is linear.
 const CELLS: usize = 11;
 /// Arcs whose densities are worked on at a time.
@@ -39,6 +41,16 @@ const SAFETY: f32 = 1.0005;
 const CLEAR: f32 = 1.05;
 /// Densities are about 1; where there is none at all, this keeps a cell's from being 0.
 const LEAST_DENSITY: f32 = 1e-12;
+
+/// A cubic, or a part of a piece that runs through [`WIDEST`] at most.
+#[derive(Clone, Copy)]
+pub(super) struct Arc {
+    /// The point and the three derivatives in the middle, by a y from −1/2 to 1/2.
+    pub(super) middle: [Vector; 4],
+    /// w² for trigonometric, −w² for hyperbolic arcs, 0 for cubics.
+    pub(super) rate: f64,
+    pub(super) start: Point,
+}
 
 /// The densities of a group of arcs.
 ///

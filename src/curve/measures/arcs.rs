@@ -4,7 +4,7 @@
 //! more chords a cell has. So an arc of many chords is cut into shorter ones first, and so is one whose chords are not
 //! near enough.
 
-use super::arc_chords::{Chords, Densities, GROUP};
+use super::arc_chords::{Arc, Chords, Densities, GROUP};
 use super::spreading::part_count;
 use super::tolerance::beyond;
 use crate::curve::piece::Piece;
@@ -13,8 +13,6 @@ use crate::limits::MOST_OUTPUT_POINTS;
 use crate::numerics::plane::larger;
 use crate::numerics::{Point, Vector};
 
-/// What an arc may run through, as frequency times width: what [`super::arc_chords`] reckons with.
-pub(super) const WIDEST: f64 = core::f64::consts::FRAC_PI_2;
 /// Chords of an arc that are spread at once.
 const MOST_CHORDS: f64 = 40.0;
 /// How often an arc is cut into arcs.
@@ -25,16 +23,6 @@ const PARTS: usize = 4;
 const ATTEMPTS: usize = 3;
 /// What smooth densities may be off, and what those of an arc with an inflection.
 const MARGINS: [f64; 2] = [1.01, 1.05];
-
-/// A cubic, or a part of a piece that runs through [`WIDEST`] at most.
-#[derive(Clone, Copy)]
-pub(super) struct Arc {
-    /// The point and the three derivatives in the middle, by a y from −1/2 to 1/2.
-    pub(super) middle: [Vector; 4],
-    /// w² for trigonometric, −w² for hyperbolic arcs, 0 for cubics.
-    pub(super) rate: f64,
-    pub(super) start: Point,
-}
 
 /// Cuts arcs into chords, a group at a time.
 pub(super) struct Cutter {

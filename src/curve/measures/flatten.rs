@@ -3,7 +3,8 @@
 //! A chord of parameter width h is κ·ds²/8 away from a short arc, so points that are evenly spread over
 //! ∫√(|r′ × r″|/|r′|) dy make equal errors: as few as can be. Then every chord is proved, whatever was assumed before.
 
-use super::arcs::{Arc, Cutter, WIDEST};
+use super::arc_chords::{Arc, WIDEST};
+use super::arcs::Cutter;
 use super::chords;
 use super::spreading::equal_parts;
 use super::tolerance::{beyond, check_tolerance, least_tolerance};

@@ -34,7 +34,10 @@ export function createEditor(now: () => number): Editor {
     // In a drag it is the drag that is taken back.
     const isSaid = name !== null && !editor.inGesture;
     timelines[mode][way]();
-    if (isSaid) editor.notify({ kind: "announce", text: `${done}: ${name}` });
+    if (!isSaid) return;
+    // What the hint said of the step is no longer so.
+    editor.patch({ hint: "" });
+    editor.notify({ kind: "announce", text: `${done}: ${name}` });
   }
 
   const editor: Editor = {
