@@ -35,8 +35,8 @@ export function createEditor(now: () => number): Editor {
     const isSaid = name !== null && !editor.inGesture;
     timelines[mode][way]();
     if (!isSaid) return;
-    // What the hint said of the step is no longer so.
-    editor.patch({ hint: "" });
+    // What the hint said of the step is no longer so; of a path that it draws the pen says by itself how it goes on.
+    if (state.value.tool === "select") editor.patch({ hint: "" });
     editor.notify({ kind: "announce", text: `${done}: ${name}` });
   }
 
