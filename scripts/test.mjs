@@ -1,11 +1,13 @@
-// npm test: sets up, builds and runs every check there is; `npm test -- rust demo` runs only those groups, and
-// `npm test -- demo/curve` of a group's test files only those with "curve" in their names.
+// npm test: sets up, builds and runs every check there is, but for those that have passed on what there is now;
+// `npm test -- rust demo` runs only those groups, whatever has passed, and `npm test -- demo/curve` of a group's test
+// files only those with "curve" in their names.
 //
 // A build that fails ends the run at once. A check that fails is reported, and the others still run. The last line
 // is "N passed, N failed", and the status is 0 only when nothing failed.
 
-import { buildDemo } from "./demo.mjs";
 import { ensureChromium } from "./browser.mjs";
+import { check, runAgain, suite, total } from "./checks.mjs";
+import { buildDemo } from "./demo.mjs";
 import { testNode } from "./node-tests.mjs";
 import { buildPackage } from "./package.mjs";
 import { installPacked } from "./packed.mjs";
@@ -14,7 +16,7 @@ import { serve } from "./serve.mjs";
 import { setUp } from "./setup.mjs";
 import { SITE, buildSite } from "./site.mjs";
 import { checkSize } from "./sizes.mjs";
-import { StepError, at, door, run, seconds, step } from "./steps.mjs";
+import { StepError, at, door, run, seconds } from "./steps.mjs";
 import { checkTree } from "./tree.mjs";
 import { buildXtask } from "./wasm.mjs";
 
@@ -23,50 +25,18 @@ const GROUPS = ["rust", "wasm", "js", "package", "www", "demo", "site"];
 /** Groups of test files that can be run one by one; cargo has ways of its own. */
 const FILES = ["js", "package", "www", "demo", "site"];
 
-const total = { passed: 0, failed: 0, failedSteps: [] };
-
-/** A check as a whole that came to nothing. */
-function failed(name, error) {
-  if (!(error instanceof StepError)) throw error;
-  total.failed += 1;
-  total.failedSteps.push(name);
-  console.log(error.output.split("\n").slice(-60).join("\n"));
-  console.log(`✗ ${error.message}`);
-}
-
-/** A check that passes or fails as a whole and counts as one. */
-async function check(name, action) {
-  try {
-    await step(name, {}, action);
-    total.passed += 1;
-  } catch (error) {
-    failed(name, error);
-  }
-}
-
 /**
- * A suite of tests with counts of its own; one that cannot be built or started is one that failed, and so is one
- * without tests.
+ * What a suite does not read, so that a change of it is no reason to run it again. The native Rust tests have no line:
+ * those of the house look at everything.
  */
-async function suite(name, action) {
-  let result;
-  try {
-    await step(name, {}, async () => {
-      result = await action();
-      if (result.passed + result.failed === 0) throw new StepError("no test was run");
-      return `${result.passed} passed, ${result.failed} failed`;
-    });
-  } catch (error) {
-    return failed(name, error);
-  }
-  for (const note of result.notes ?? []) console.log(`    ${note}`);
-  total.passed += result.passed;
-  total.failed += result.failed;
-  if (result.failed > 0) {
-    total.failedSteps.push(name);
-    console.log(result.failures);
-  }
-}
+const UNREAD = {
+  wasm: /^(www|site|cli|ts|docs|bench|examples)\/|^tests\/(demo|js|package|site)\/|^[A-Z]+\.md$/,
+  js: /^(www|site|docs|bench|examples)\/|^tests\/(demo|package|site|.*\.rs$)|^[A-Z]+\.md$/,
+  package: /^www\/|^tests\/(demo|js|site|.*\.rs$)/,
+  www: /^(docs|cli|bench|examples)\/|^tests\/(demo|js|package|site|.*\.rs$)|^[A-Z]+\.md$/,
+  demo: /^(site|docs|cli|bench|examples|www\/tests)\/|^tests\/(js|package|site|.*\.rs$)|^[A-Z]+\.md$/,
+  site: /^(cli|www\/tests)\/|^tests\/(js|package|.*\.rs$)/,
+};
 
 const cargo = (...parameters) => () => run("cargo", parameters).then(() => undefined);
 const rustdoc = (...more) => () =>
@@ -87,31 +57,35 @@ async function rust() {
 
 async function wasm() {
   await buildXtask();
-  await suite("Rust tests in wasm, Node", testWasmInNode);
-  await suite("Rust tests in wasm, Chromium", testWasmInChromium);
+  await suite("Rust tests in wasm, Node", testWasmInNode, { unread: UNREAD.wasm });
+  await suite("Rust tests in wasm, Chromium", testWasmInChromium, { unread: UNREAD.wasm });
 }
+
+/** A suite of test files: all of a group, or those with one of `parts` in their names. */
+const files = (name, group, folder, out, { parts, env }) =>
+  suite(name, () => testNode(folder, out, { parts, env }), { unread: UNREAD[group], inParts: parts.length > 0 });
 
 async function js(parts) {
   await check("types of the tests", tsc("tests/tsconfig.json"));
   await installPacked();
-  await suite("the packed package in Node", () => testNode("tests/js", "build/consumer/js", { parts }));
+  await files("the packed package in Node", "js", "tests/js", "build/consumer/js", { parts });
 }
 
 async function packaged(parts) {
   await installPacked();
-  await suite("the packed package elsewhere", () => testNode("tests/package", "build/consumer/package", { parts }));
+  await files("the packed package elsewhere", "package", "tests/package", "build/consumer/package", { parts });
 }
 
 async function www(parts) {
   await check("types of the demo", tsc("www/tsconfig.json"));
-  await suite("the demo's parts", () => testNode("www/tests", "build/tests/www", { parts }));
+  await files("the demo's parts", "www", "www/tests", "build/tests/www", { parts });
 }
 
 async function demo(parts) {
   await buildDemo();
   const { url, close } = await serve(at("www", "dist"), { port: 0 });
   try {
-    await suite("the demo in Chromium", () => testNode("tests/demo", "build/tests/demo", { parts, env: { DEMO_URL: url } }));
+    await files("the demo in Chromium", "demo", "tests/demo", "build/tests/demo", { parts, env: { DEMO_URL: url } });
   } finally {
     await close();
   }
@@ -123,7 +97,7 @@ async function site(parts) {
   await buildSite();
   const { url, close } = await serve(at("www", "dist"), { port: 0, beside: { docs: at(SITE) } });
   try {
-    await suite("the documentation in Chromium", () => testNode("tests/site", "build/tests/site", { parts, env: { SITE_URL: `${url}docs/` } }));
+    await files("the documentation in Chromium", "site", "tests/site", "build/tests/site", { parts, env: { SITE_URL: `${url}docs/` } });
   } finally {
     await close();
   }
@@ -148,6 +122,7 @@ await door(async () => {
   await setUp();
   const chromium = await ensureChromium();
   process.env.CHROMIUM = chromium;
+  if (asked.length > 0) runAgain();
   if (asked.length === 0) await check("the tree's own rules", checkTree);
   if (wanted("rust")) await rust();
   if (wanted("wasm")) await wasm();
@@ -159,6 +134,7 @@ await door(async () => {
   if (wanted("demo")) await demo(parts("demo"));
   if (wanted("site")) await site(parts("site"));
   console.log(`\n${seconds(start)} in all`);
+  if (total.earlier > 0) console.log(`${total.earlier} of them passed in an earlier run: nothing that they read has changed; npm test -- ${GROUPS.join(" ")} runs them again`);
   if (total.failedSteps.length > 0) console.log(`✗ failed: ${total.failedSteps.join("; ")}`);
   console.log(`${total.passed} passed, ${total.failed} failed`);
   process.exit(total.failed > 0 ? 1 : 0);
