@@ -166,8 +166,8 @@ impl Turnings {
     /// The cells that end at y, which go on from the last ones.
     #[inline(never)]
     fn add<const CUBIC: bool>(&self, sums: &mut Sums, cell: &mut Cell, y: f32, count: usize) {
-        // A whole number of lanes, as compilers can see.
-        for lane in 0..count.min(GROUP) / LANES * LANES {
+        // A whole number of lanes, and not none, as compilers can see: they leave out what would do single ones.
+        for lane in 0..count.clamp(LANES, GROUP) / LANES * LANES {
             let (from, to) = (sums.root[lane], self.density::<CUBIC>(lane, y));
             let sum = from + to + LEAST_DENSITY;
             let inverse = 1.0 / sum;
@@ -244,9 +244,11 @@ impl Chords {
             let largest = if cubic { Turning::largest::<true> } else { Turning::largest::<false> };
             let bound = largest(&turning, &self.places, bounds);
             worst = if bound > worst { bound } else { worst };
-            for pair in self.places[..=if cubic { 0 } else { chords }].windows(2) {
-                let width = pair[1] - pair[0];
-                widest = if width > widest { width } else { widest };
+            if !cubic {
+                for pair in self.places[..=chords].windows(2) {
+                    let width = pair[1] - pair[0];
+                    widest = if width > widest { width } else { widest };
+                }
             }
             if inner < BATCH {
                 let bound = worst.sqrt();

@@ -24,6 +24,12 @@ const ATTEMPTS: usize = 3;
 /// What smooth densities may be off, and what those of an arc with an inflection.
 const MARGINS: [f64; 2] = [1.01, 1.05];
 
+/// A group before it is taken in; as a constant it is filled in at once, not arc by arc.
+const NO_ARCS: [Arc; GROUP] = {
+    let zero = Vector::new(0.0, 0.0);
+    [Arc { middle: [zero; 4], rate: 0.0, start: zero }; GROUP]
+};
+
 /// Cuts arcs into chords, a group at a time.
 pub(super) struct Cutter {
     tolerance: f64,
@@ -44,14 +50,14 @@ impl Cutter {
         Self::with_cuts(tolerance, MOST_CUTS)
     }
 
+    #[inline(never)]
     fn with_cuts(tolerance: f64, cuts: usize) -> Self {
-        let zero = Vector::new(0.0, 0.0);
         Self {
             tolerance,
             deviation: 0.0,
             cuts,
             count: 0,
-            arcs: [Arc { middle: [zero; 4], rate: 0.0, start: zero }; GROUP],
+            arcs: NO_ARCS,
             sizes: [0.0; GROUP],
             densities: Densities::new(),
             chords: Chords::new(),
