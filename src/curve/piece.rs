@@ -301,8 +301,10 @@ impl Piece {
         if self.is_cubic() {
             return 0.0;
         }
+        // What a polynomial's fourth derivative is at most does not depend on the second.
+        let bend = if self.is_polynomial() { 0.0 } else { self.bend(lo, hi) };
         let h = (hi - lo) * (hi - lo);
-        h * h * (1.0 / 384.0) * self.fourth(self.bend(lo, hi))
+        h * h * (1.0 / 384.0) * self.fourth(bend)
     }
 
     /// A bound of |r'''| on [lo, hi].

@@ -6,154 +6,49 @@
 
 use super::spreading::{part_count, spread};
 use super::tolerance::beyond;
-use crate::curve::piece::Piece;
+use crate::curve::piece::{Jet, Piece};
 use crate::error::Result;
 use crate::limits::{MOST_OUTPUT_POINTS, filled};
-use crate::numerics::plane::{cross, dot, norm, square};
+use crate::numerics::plane::{cross, dot, square};
 use crate::numerics::{Point, Vector};
 
 /// Halvings of a chord after which it is taken as it is.
 const MOST_HALVINGS: usize = 48;
-/// How often the points of a piece are spread anew before single chords are halved.
-const ATTEMPTS: usize = 3;
+/// How often the points of a piece are spread before single chords are halved.
+const ATTEMPTS: usize = 4;
+/// As how many chords at least, and at most, one counts that is only spread anew.
+const LEAST: f64 = 1e-3;
+const MOST: f64 = 4.0;
 
-/// Where the density is looked at on a segment.
-const CELLS: usize = 11;
+/// Chords of a piece that bends evenly whose errors say where the first points go.
+const CELLS: usize = 7;
 /// A long hyperbolic segment bends within so many widths of its layers at both ends.
 const LAYERS: [f64; 12] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 18.0, 25.0, 40.0];
-/// Cells of such a segment, and their edges.
-const MOST_CELLS: usize = 2 * LAYERS.len() + 1;
 
 /// Appends the start of a piece of any kind and the points between its ends; returns the bound of the distance.
+///
+/// The errors of a few chords are the density of the points, and the errors of the chords between these a better one;
+/// if all attempts fail, chords that are not good are halved.
 #[inline(never)]
 pub(super) fn cut(piece: &Piece, start: Point, tolerance: f64, out: &mut Vec<[f64; 2]>) -> Result<f64> {
-    let density = Density::new(piece, tolerance);
-    let all = density.total + out.len() as f64;
-    if all > MOST_OUTPUT_POINTS as f64 {
-        return Err(beyond(all as usize));
-    }
-    let count = part_count(density.total * MARGIN);
-    let mut places = filled(0.5, count + 1)?;
-    places[0] = -0.5;
-    density.spread(&mut places[1..count]);
     out.push(start.into());
-    mend(piece, places, tolerance, out)
-}
-
-/// How many chords a piece wants, cell by cell; the density is linear in each.
-struct Density {
-    cells: usize,
-    /// One more than there are cells.
-    edges: [f64; MOST_CELLS + 1],
-    /// Chords before each edge.
-    before: [f64; MOST_CELLS + 1],
-    /// By how much of their sum the densities at the ends of each cell differ.
-    tilts: [f64; MOST_CELLS + 1],
-    total: f64,
-}
-
-/// What densities may be off.
-const MARGIN: f64 = 1.05;
-
-/// The edges of the cells of pieces that bend evenly.
-const EDGES: [f64; CELLS + 1] = {
-    let mut edges = [0.5; CELLS + 1];
-    let mut k = 0;
-    while k < CELLS {
-        edges[k] = k as f64 / CELLS as f64 - 0.5;
-        k += 1;
-    }
-    edges
-};
-
-impl Density {
-    #[inline]
-    fn new(piece: &Piece, tolerance: f64) -> Self {
-        let zeros = [0.0; MOST_CELLS + 1];
-        let mut density = Self { cells: CELLS, edges: zeros, before: zeros, tilts: zeros, total: 0.0 };
-        density.cells = edges(piece, &mut density.edges);
-        let mut roots = [0.0; MOST_CELLS + 1];
-        for (root, &edge) in roots.iter_mut().zip(&density.edges) {
-            let jet = piece.jet(edge);
-            let bend = cross(jet.first, jet.second).abs() / norm(jet.first).max(f64::MIN_POSITIVE);
-            *root = (bend / (8.0 * tolerance)).sqrt();
-        }
-        density.sum(&roots);
-        density
-    }
-
-    /// Sums densities that are given at the edges.
-    fn sum(&mut self, roots: &[f64]) {
-        let mut from = roots[0];
-        for (k, &to) in roots[1..=self.cells].iter().enumerate() {
-            let both = from + to + 1e-30;
-            self.tilts[k] = (to - from) / both;
-            self.total += 0.5 * both * (self.edges[k + 1] - self.edges[k]);
-            self.before[k + 1] = self.total;
-            from = to;
-        }
-    }
-
-    /// Fills in the parameters of the points between the ends.
-    #[inline]
-    fn spread(&self, places: &mut [f64]) {
-        let cells = self.cells;
-        spread(&self.edges[..=cells], &self.before[..=cells], &self.tilts[..cells], places);
-    }
-}
-
-/// The edges of the cells of a piece, and how many cells there are.
-fn edges(piece: &Piece, edges: &mut [f64; MOST_CELLS + 1]) -> usize {
-    if !piece.is_decaying() {
-        edges[..=CELLS].copy_from_slice(&EDGES);
-        return CELLS;
-    }
-    let w = piece.rate().abs().sqrt();
-    let inner = LAYERS.iter().take_while(|&&depth| depth < 0.45 * w).count();
-    edges[0] = -0.5;
-    for k in 0..inner {
-        edges[k + 1] = LAYERS[k] / w - 0.5;
-        edges[2 * inner - k] = 0.5 - LAYERS[k] / w;
-    }
-    edges[2 * inner + 1] = 0.5;
-    2 * inner + 1
-}
-
-/// Appends the points between the ends.
-#[inline(never)]
-fn write(piece: &Piece, places: &[f64], out: &mut Vec<[f64; 2]>) {
-    for &y in places.get(1..places.len() - 1).unwrap_or_default() {
-        out.push(piece.position(y).into());
-    }
-}
-
-/// Spreads the points of a piece by the errors that were found, which are a better density than the one before; if all
-/// attempts fail, chords that are not good are halved. Returns the largest bound.
-fn mend(piece: &Piece, mut places: Vec<f64>, tolerance: f64, out: &mut Vec<[f64; 2]>) -> Result<f64> {
-    for attempt in 0..=ATTEMPTS {
-        let (mut worst, mut total) = (0.0_f64, 0.0);
-        let mut before = vec![total];
-        for pair in places.windows(2) {
-            let bound = bound(piece, pair[0], pair[1]);
-            worst = worst.max(bound);
-            total += (bound / tolerance).sqrt().clamp(1e-3, 4.0);
-            before.push(total);
-        }
-        if worst <= tolerance {
+    let mut places = cells(piece);
+    for attempt in 0..ATTEMPTS {
+        let most = if attempt == 0 { f64::MAX } else { MOST };
+        let (worst, before) = errors(piece, &places, tolerance, most);
+        if worst <= tolerance && attempt > 0 {
             write(piece, &places, out);
             return Ok(worst);
         }
-        if attempt == ATTEMPTS {
-            break;
-        }
         // Evenly is never quite even: a little more makes the next attempt the last.
-        let count = part_count(1.02 * total);
-        if out.len() + count > MOST_OUTPUT_POINTS {
-            return Err(beyond(out.len() + count));
+        let all = 1.02 * before[places.len() - 1] + out.len() as f64;
+        if all > MOST_OUTPUT_POINTS as f64 {
+            return Err(beyond(all as usize));
         }
-        let mut next = vec![0.5; count + 1];
+        let count = part_count(all - out.len() as f64);
+        let mut next = filled(0.5, count + 1)?;
         next[0] = -0.5;
-        spread(&places, &before, &vec![0.0; places.len() - 1], &mut next[1..count]);
+        spread(&places, &before, &mut next[1..count]);
         places = next;
     }
     let mut worst: f64 = 0.0;
@@ -166,10 +61,49 @@ fn mend(piece: &Piece, mut places: Vec<f64>, tolerance: f64, out: &mut Vec<[f64;
     Ok(worst)
 }
 
-/// The bound of the distance between a piece and its chord.
+/// The ends of the chords that are looked at first.
+fn cells(piece: &Piece) -> Vec<f64> {
+    let mut places = vec![-0.5];
+    if piece.is_decaying() {
+        let w = piece.rate().abs().sqrt();
+        let inner = LAYERS.partition_point(|&depth| depth < 0.45 * w);
+        places.extend(LAYERS[..inner].iter().map(|depth| depth / w - 0.5));
+        places.extend(LAYERS[..inner].iter().rev().map(|depth| 0.5 - depth / w));
+    } else {
+        places.extend((1..CELLS).map(|k| k as f64 / CELLS as f64 - 0.5));
+    }
+    places.push(0.5);
+    places
+}
+
+/// The largest bound of the chords between the places, and how many chords are wanted before each place.
+fn errors(piece: &Piece, places: &[f64], tolerance: f64, most: f64) -> (f64, Vec<f64>) {
+    let (mut worst, mut total) = (0.0_f64, 0.0);
+    let mut before = vec![total];
+    let mut start = piece.jet(places[0]);
+    for pair in places.windows(2) {
+        let end = piece.jet(pair[1]);
+        let bound = bound(piece, &start, &end, pair[0], pair[1]);
+        worst = worst.max(bound);
+        total += (bound / tolerance).sqrt().max(LEAST).min(most);
+        before.push(total);
+        start = end;
+    }
+    (worst, before)
+}
+
+/// Appends the points between the ends.
 #[inline(never)]
-fn bound(piece: &Piece, lo: f64, hi: f64) -> f64 {
-    let (start, end, h) = (piece.jet(lo), piece.jet(hi), hi - lo);
+fn write(piece: &Piece, places: &[f64], out: &mut Vec<[f64; 2]>) {
+    for &y in places.get(1..places.len() - 1).unwrap_or_default() {
+        out.push(piece.position(y).into());
+    }
+}
+
+/// The bound of the distance between a piece and its chord from lo to hi, by the jets there.
+#[inline(never)]
+fn bound(piece: &Piece, start: &Jet, end: &Jet, lo: f64, hi: f64) -> f64 {
+    let h = hi - lo;
     let chord = end.position - start.position;
     squared_bound(chord, start.first * h, end.first * h).sqrt() + piece.cubic_gap(lo, hi)
 }
@@ -202,7 +136,7 @@ fn halve(piece: &Piece, lo: f64, hi: f64, tolerance: f64, out: &mut Vec<[f64; 2]
     while open > 0 {
         open -= 1;
         let (from, to) = stack[open];
-        let bound = bound(piece, from, to);
+        let bound = bound(piece, &piece.jet(from), &piece.jet(to), from, to);
         let middle = 0.5 * (from + to);
         if bound > tolerance && open + 2 <= MOST_HALVINGS && middle > from && middle < to {
             stack[open] = (middle, to);

@@ -253,8 +253,7 @@ impl Division {
         let [from, to] = [self.edges[0], self.edges[self.candidates.len()]];
         let mut edges = vec![to; count + 1];
         edges[0] = from;
-        let tilts = vec![0.0; self.candidates.len()];
-        spread(&self.edges, &self.before, &tilts, &mut edges[1..count]);
+        spread(&self.edges, &self.before, &mut edges[1..count]);
         self.edges = edges;
         self.candidates.clear();
         for pair in self.edges.windows(2) {

@@ -13,9 +13,9 @@ pub(super) fn equal_parts(bound: f64, tolerance: f64, order: i32) -> f64 {
 
 /// Fills in the places that divide what is wanted evenly, of which there are `before` before each edge.
 #[inline(never)]
-pub(super) fn spread(edges: &[f64], before: &[f64], tilts: &[f64], places: &mut [f64]) {
-    let cells = tilts.len();
-    let (edges, before) = (&edges[..=cells], &before[..=cells]);
+pub(super) fn spread(edges: &[f64], before: &[f64], places: &mut [f64]) {
+    let cells = before.len() - 1;
+    let edges = &edges[..=cells];
     let step = before[cells] / (places.len() + 1) as f64;
     let (mut cell, mut target) = (0, 0.0);
     let mut rise = 1.0 / (before[1] - before[0]);
@@ -26,8 +26,6 @@ pub(super) fn spread(edges: &[f64], before: &[f64], tilts: &[f64], places: &mut 
             rise = 1.0 / (before[cell + 1] - before[cell]);
         }
         let share = (target - before[cell]) * rise;
-        // The inverse of the integral of a linear density, to first order in its tilt.
-        let share = share + tilts[cell] * share * (1.0 - share);
         let share = if share < 1.0 { share } else { 1.0 };
         *place = edges[cell] + share * (edges[cell + 1] - edges[cell]);
     }
