@@ -112,6 +112,17 @@ test("a fit in short tasks lets timers through, and reports iterations that rise
   });
 });
 
+test("a fit that searches for the fewest knots says a gap of 1 all the time, and what ends it is the cause", async () => {
+  for (const options of [{ tolerance: 0.05 }, {}]) {
+    const seen: number[] = [];
+    const { gap } = await fitSparseAsync(noisyCircle(5_000, 0.01, 3), { ...options, onProgress: (progress) => seen.push(progress.gap) });
+    assert.ok(seen.length > 1);
+    assert.deepEqual(new Set([...seen, gap]), new Set([1]));
+  }
+  const reason = new Error("the dialog was closed");
+  await assert.rejects(fitSparseAsync(POINTS, { signal: AbortSignal.abort(reason) }), { code: "E_CANCELLED", cause: reason });
+});
+
 test("HY-014: what a progress callback throws reaches the caller as it is, and nothing is broken", async () => {
   const own = new TypeError("mine");
   const onProgress = (): never => {

@@ -3,11 +3,14 @@ import { ExplineError, type Signal, count, flag, inRange, integer, numbers, opti
 import { Asked, type Question } from "./fit-engine.js";
 import { type Watch, watch } from "../tasks/yielding.js";
 
-/** How far a fit has come. */
+/** How far a fit has come. How many steps there will be nobody knows before, so that it is no fraction of the work. */
 export interface FitProgress {
   /** Steps so far, of the solver or of the search. */
   iteration: number;
-  /** The relative duality gap that is certified by now. */
+  /**
+   * The relative duality gap that is certified by now, with `lambda` or `smoothing`: it may rise for a while before it
+   * falls. 1 all the time with a tolerance and without any strength, as no λ is involved.
+   */
   gap: number;
 }
 
