@@ -159,7 +159,9 @@ test("a bundle for Node has the wasm inside: it runs wherever it is put", async 
       else done();
     });
   });
-  for (const file of ["esbuild.mjs", "webpack.cjs"]) {
+  const { build: vite } = await import("vite");
+  await vite({ root: consumer, logLevel: "error", configFile: false, ssr: { noExternal: true }, build: { ssr: source, outDir: folder, emptyOutDir: false, rollupOptions: { output: { entryFileNames: "vite.mjs" } } } });
+  for (const file of ["esbuild.mjs", "webpack.cjs", "vite.mjs"]) {
     assert.equal(execFileSync(process.execPath, [join(folder, file)], { encoding: "utf8" }).trim(), EXPECTED, file);
   }
 });
@@ -170,6 +172,35 @@ test("Vite", async () => {
   await build({ root: folder, base: "./", logLevel: "error", configFile: false, build: { outDir: "dist", emptyOutDir: true, modulePreload: { polyfill: false } } });
   assert.equal(await titleOf(join(folder, "dist"), POLICY), EXPECTED);
 });
+
+for (const mode of ["built", "served by its server, which bundles the package first"]) {
+  test(`a module worker, with Vite, ${mode}`, async () => {
+    const { build, createServer } = await import("vite");
+    const folder = page(`vite-worker-${mode === "built" ? "built" : "served"}`, '<script type="module" src="./page.js"></script>');
+    writeFileSync(join(folder, "worker.js"), APP);
+    writeFileSync(join(folder, "page.js"), `
+      const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+      worker.onmessage = ({ data }) => (document.title = data);
+      worker.onerror = ({ message }) => (document.title = message);`);
+    const options = { root: folder, base: "./", logLevel: "error", configFile: false, worker: { format: "es" } } as const;
+    if (mode === "built") {
+      await build({ ...options, build: { outDir: "dist", emptyOutDir: true, modulePreload: { polyfill: false } } });
+      assert.equal(await titleOf(join(folder, "dist"), POLICY), EXPECTED);
+      return;
+    }
+    const server = await createServer({ ...options, base: "/", cacheDir: join(folder, "cache"), server: { port: 0, host: "127.0.0.1" } });
+    const tab = await browser.newPage();
+    try {
+      await server.listen();
+      await tab.goto(server.resolvedUrls?.local[0] ?? "");
+      await tab.waitForFunction(() => document.title !== "waiting", undefined, { timeout: 20_000 });
+      assert.equal(await tab.title(), EXPECTED);
+    } finally {
+      await tab.close();
+      await server.close();
+    }
+  });
+}
 
 test("Rollup", async () => {
   const { rollup } = await import("@rollup/wasm-node");

@@ -3,7 +3,7 @@ import { ExplineError, type Signal, count, flag, inRange, integer, numbers, opti
 import { Asked, type Question } from "./fit-engine.js";
 import { type Watch, watch } from "../tasks/yielding.js";
 
-/** How far a fit has come. How many steps there will be nobody knows before, so that it is no fraction of the work. */
+/** How far a fit has come. It is no fraction of the work: how many steps there will be is not known before. */
 export interface FitProgress {
   /** Steps so far, of the solver or of the search. */
   iteration: number;
