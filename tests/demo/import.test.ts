@@ -475,7 +475,7 @@ test("an automatic frequency is shown as the number that it is, and arrows step 
   await imported(demo, "M0 0a50 50 0 0 1 100 0a50 50 0 0 1-100 0z");
   assert.equal(await omega.inputValue(), "3.1416");
   await imported(demo, "M0 0a50 50 0 0 1 100 0C120 40 60 90 0 0z");
-  assert.equal(await omega.inputValue(), "Auto", "they differ");
+  assert.equal(await omega.inputValue(), "Mixed", "they differ");
 });
 
 test("a field adds up what is typed into it, and Undo takes a number back while the field has the focus", async (t) => {

@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { baseCount, omegaOf } from "../src/document/document.ts";
 import { affectedSegments, rootsOf } from "../src/document/curve/roots.ts";
 import { parseState, writeState } from "../src/document/file/file.ts";
-import { refineCurveHere, setFamily, setOrder } from "../src/editor/curve/family-edits.ts";
+import { refineCurveHere, setFamily, setOrder, setOmega } from "../src/editor/curve/family-edits.ts";
 import { insertAt, resample, reverse, setClosed, startHere } from "../src/editor/curve/contour-edits.ts";
 import { setLevel } from "../src/editor/curve/level-edits.ts";
 import { teethOf } from "../src/kernel/curve/overlays/comb.ts";
@@ -11,7 +11,7 @@ import { segmentPolygon } from "../src/kernel/curve/samples.ts";
 import { commandsOf } from "../src/kernel/paths/export.ts";
 import { ellipseIn } from "../src/document/curve/drawing/shapes.ts";
 import { addContours } from "../src/document/curve/whole/commands.ts";
-import { loadCurve, setOmega, setSpace } from "../src/editor/curve/edits.ts";
+import { loadCurve, setSpace } from "../src/editor/curve/edits.ts";
 import { Hand, largestDistance } from "./harness.ts";
 
 /** A point of the drawing as the only chosen one. */

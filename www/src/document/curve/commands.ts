@@ -129,15 +129,6 @@ function withoutOwnRoots({ roots, ...contour }: Contour): Contour {
   return contour.grid === undefined || roots === undefined ? contour : { ...contour, roots };
 }
 
-/** The document's frequency for every contour: what contours had of their own is dropped. */
-export function setOmega(omega: number | "auto", run?: string): Command {
-  return {
-    name: "Frequency",
-    apply: (curve) => ({ ...curve, omega, contours: curve.contours.map(({ omega: _own, ...contour }) => withoutOwnRoots(contour)) }),
-    ...(run === undefined ? {} : { run }),
-  };
-}
-
 export function setSpace(space: Space): Command {
   return {
     name: "Space",

@@ -1,6 +1,6 @@
 import {
   clearCurve as clearCommand, movePoints, placePoint, replaceCurve, resetHandles, setKinds,
-  setOmega as setOmegaCommand, setSpace as setSpaceCommand, turnHandle,
+  setSpace as setSpaceCommand, turnHandle,
 } from "../../document/curve/commands.ts";
 import {
   baseCount, domainLength, lengthOf, noOffset, nothingSelected, pointAt, type Contour, type CurveDocument, type Kind, type Offset, type PointRef, type Selection,
@@ -142,10 +142,6 @@ export const unnoticed = 1e-6;
 
 export function setSpace(editor: Editor, space: Space): void {
   editor.dispatch(setSpaceCommand(space));
-}
-
-export function setOmega(editor: Editor, omega: number | "auto", run?: string): void {
-  editor.dispatch(setOmegaCommand(omega, run));
 }
 
 export function clearCurve(editor: Editor): void {

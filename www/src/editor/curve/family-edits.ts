@@ -1,4 +1,5 @@
 import { replaceContour } from "../../document/curve/commands.ts";
+import { setOmega as setOmegaCommand } from "../../document/curve/frequency.ts";
 import { nothingSelected, segmentCount, type Contour, type CurveDocument, type Family, type Order, type PointRef } from "../../document/document.ts";
 import { finePlaceOf, rootsOf, supportOf } from "../../document/curve/roots.ts";
 import { inserted } from "../../kernel/curve/points/contours.ts";
@@ -96,4 +97,9 @@ export function refineCurveHere(editor: Editor): void {
   const next = contour;
   editor.dispatch({ name: "Refine here", apply: (document) => replaceContour(document, first.contour, next), select: nothingSelected });
   say(editor, `Added ${touched.length === 1 ? "1 point" : `${touched.length} points`}. The curve did not move.`);
+}
+
+/** The frequency of what is chosen; with nothing chosen, of the drawing. */
+export function setOmega(editor: Editor, omega: number | "auto", run?: string): void {
+  editor.dispatch(setOmegaCommand(editor.state.value.selection, omega, run));
 }

@@ -40,8 +40,8 @@ export interface NumberOptions extends FieldOptions {
   write(value: number | null): void;
 }
 
-/** A number that is typed, or stepped with the arrow keys. `show(NaN)` shows the word, or several values at once. */
-export function numberField(options: NumberOptions): Field<number> & { readonly input: HTMLInputElement } {
+/** A number that is typed, or stepped with the arrow keys. NaN shows the word; undefined, that values differ. */
+export function numberField(options: NumberOptions): Field<number | undefined> & { readonly input: HTMLInputElement } {
   const id = freshId(options.testid);
   const format = options.format ?? formatCoordinate;
   const input = h(
@@ -50,13 +50,14 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
   );
   const message = h("p", { class: "field-error", role: "alert" });
   const unit = options.unit === undefined ? null : h("span", { class: options.unit.length > 1 ? "unit unit-wide" : "unit", "aria-hidden": "true" }, options.unit);
-  let shown: number | null = null;
+  let shown: number | null | undefined = null;
   let printed = "";
 
   const print = (): void => {
     // A word has no unit.
-    if (unit !== null) unit.textContent = Number.isNaN(shown) ? "" : (options.unit ?? "");
+    if (unit !== null) unit.textContent = shown === undefined || Number.isNaN(shown) ? "" : (options.unit ?? "");
     if (shown === null) printed = "";
+    else if (shown === undefined) printed = "Mixed";
     else printed = Number.isNaN(shown) ? (options.word ?? "") : format(shown);
     input.defaultValue = input.value = printed;
   };
@@ -95,7 +96,7 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
     if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
     // What is printed may have fewer digits than what it stands for.
     const from = input.value === printed ? shown : parseTyped(input.value, options.least, options.most) ?? shown;
-    if (from === null || Number.isNaN(from)) return;
+    if (from === null || from === undefined || Number.isNaN(from)) return;
     event.preventDefault();
     const step = options.step * (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1);
     say("");

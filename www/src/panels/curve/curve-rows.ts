@@ -1,5 +1,6 @@
+import { chosenSegments } from "../../document/curve/segments.ts";
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
-import { activeContours, setOmega, setSpace } from "../../editor/curve/edits.ts";
+import { activeContours, setSpace } from "../../editor/curve/edits.ts";
 import { levelling, renewing } from "../../editor/curve/on-demand.ts";
 import type { Editor, EditorState } from "../../editor/editor.ts";
 import { whenLoaded } from "../../editor/loading.ts";
@@ -103,6 +104,7 @@ export function orderRow(editor: Editor): Row {
 }
 
 export function frequencyRow(editor: Editor): Row {
+  const write = (value: number | "auto", run?: string): void => editFamily(editor, ({ setOmega }) => setOmega(editor, value, run));
   const omega = numberField({
     label: "Frequency",
     testid: "omega",
@@ -113,48 +115,48 @@ export function frequencyRow(editor: Editor): Row {
     word: "Auto",
     unit: "rad",
     format: (value) => String(Number(value.toFixed(4))),
-    write: (value) => setOmega(editor, value ?? "auto", "omega"),
-    reset: () => setOmega(editor, "auto"),
+    write: (value) => write(value ?? "auto", "omega"),
+    reset: () => write("auto"),
   });
   const auto = h("button", {
     class: "small-button",
     type: "button",
     testid: "omega-auto",
     title: "Derive the frequency from the number of points, so circles stay exact.",
-    click: () => setOmega(editor, "auto"),
+    click: () => write("auto"),
   }, "Auto");
   omega.element.querySelector(".number-box")?.after(auto);
   const note = h("p", { class: "field-note num" });
   return {
     elements: [omega.element, note],
-    update({ curve }, contours) {
-      setAttribute(auto, "aria-pressed", String(curve.omega === "auto"));
+    update(state, contours) {
+      // A drag changes no frequency, and may be of very many points.
+      if (state.drag !== null) return;
+      const { curve } = state;
+      setAttribute(auto, "aria-pressed", String(curve.omega === "auto" && contours.every((each) => each.omega === undefined)));
       auto.disabled = curve.space === "polynomial";
-      omega.show(curve.space === "polynomial" || areRefined(contours) ? null : frequencyOf(curve, contours));
+      omega.show(curve.space === "polynomial" || areRefined(contours) ? null : frequencyOf(state));
       setText(note, shared(contours, (contour) => frequencyNote(curve, contour)) ?? "");
     },
   };
 }
 
-/**
- * The frequency that the field is about, also where it follows from the number of points; NaN where contours or
- * segments differ.
- */
-function frequencyOf(curve: CurveDocument, contours: readonly Contour[]): number {
-  if (curve.omega !== "auto") return curve.omega;
-  return shared(contours, (contour) => (isEven(contour) && contour.points.length >= 2 ? omegaOf(curve, contour, 0) : NaN)) ?? NaN;
-}
-
-function isEven({ omega }: Contour): boolean {
-  return omega === undefined || omega.every((each) => each === omega[0]);
+/** The frequency of what is chosen, even where it follows from the number of points; undefined where they differ. */
+function frequencyOf(state: EditorState): number | undefined {
+  const { curve, selection } = state;
+  const values = new Set(activeContours(state).flatMap((c) => {
+    const contour = curve.contours[c];
+    return contour === undefined ? [] : chosenSegments(contour, c, selection).map((segment) => omegaOf(curve, contour, segment));
+  }));
+  const [first = curve.omega === "auto" ? NaN : curve.omega, ...others] = values;
+  return others.length === 0 ? first : undefined;
 }
 
 function frequencyNote(curve: CurveDocument, contour: Contour): string {
   if (curve.space === "polynomial" || contour.points.length < 2) return "";
   if (contour.grid !== undefined) return "All set at level 0";
   if (contour.roots !== undefined) return "The contour has its own";
-  if (contour.omega !== undefined) return isEven(contour) ? "" : "Each segment has its own";
-  if (curve.omega !== "auto") return "";
+  if (contour.omega !== undefined || curve.omega !== "auto") return "";
   const value = omegaOf(curve, contour, 0);
   return value === 0 ? "Auto: 0 on an open contour" : `Auto: 2π/${Math.round((2 * Math.PI) / value)}`;
 }
