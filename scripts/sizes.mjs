@@ -10,7 +10,7 @@ import { StepError, at, run } from "./steps.mjs";
  * Face and wasm of each kind of work in bytes, gzipped: what may not be exceeded today. The aim is 60,000 for curves
  * and surfaces together; docs/DESIGN.md says what was tried.
  */
-const LIMITS = { "core.js": 64_300, "spline.js": 52_300, "surface.js": 41_700, "fit.js": 152_900, "trace.js": 152_850 };
+const LIMITS = { "core.js": 64_300, "spline.js": 52_300, "surface.js": 41_700, "fit.js": 152_900, "trace.js": 153_250 };
 
 /** What is printed, and the files of the package. */
 const FILES = KINDS.flatMap(({ name, file, work }) => [

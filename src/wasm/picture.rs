@@ -17,6 +17,8 @@ pub(super) struct Job {
     pub(super) most_colors: usize,
     /// The colours that are wanted, once they are known.
     pub(super) palette: Vec<Tint>,
+    /// Whether pixels share their hues, where colours were looked for.
+    pub(super) shares_hues: bool,
     pub(super) options: TraceOptions,
     pub(super) state: State,
     /// Looks for squares of equal pixels in colours, while they are given for the first time.
@@ -52,7 +54,7 @@ impl Job {
         self.state = match (self.most_colors, self.palette.is_empty()) {
             (0, true) => State::Ink(Gray::begin(width, height)?),
             (_, true) => State::Counting(Census::new(width)?),
-            _ => State::Colors(Layers::begin(width, height, &self.palette)?),
+            _ => State::Colors(Layers::begin(width, height, &self.palette)?.sharing_hues(self.shares_hues)),
         };
         Ok(())
     }
@@ -110,6 +112,7 @@ impl Job {
             }
             State::Counting(mut census) => {
                 self.palette = census.palette(self.most_colors)?;
+                self.shares_hues = census.shares_hues();
                 if self.palette.is_empty() {
                     // All of it is transparent, so any colour will do.
                     self.palette.push([0; 3].into());

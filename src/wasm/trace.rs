@@ -77,6 +77,7 @@ pub fn trace_open(count: u32) -> i32 {
             channels,
             most_colors,
             palette,
+            shares_hues: false,
             options,
             state,
             scan,

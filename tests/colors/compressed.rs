@@ -160,3 +160,20 @@ fn a_shade_that_waves_could_make_stays_where_it_was_drawn_flat() {
         );
     }
 }
+
+#[test]
+fn waves_in_small_pictures_without_an_even_square_are_no_colours() {
+    const SMALL: usize = 48;
+    for ground in [[217, 35, 46], [255, 78, 0], [78, 73, 238], [0, 163, 224], [0, 154, 68]] {
+        for (gap, thick) in [(8.0, 3.5), (9.0, 4.0), (10.0, 4.0)] {
+            let rings = |x: f64, y: f64| {
+                let far = (x - 23.4).hypot(y - 24.7);
+                if far < 23.0 && far % gap < thick { WHITE } else { ground }
+            };
+            let bytes = compressed(&drawn(&rings), SHARES[0]);
+            let rows = bytes.chunks_exact(4 * SIDE).take(SMALL);
+            let part: Vec<u8> = rows.flat_map(|row| &row[..4 * SMALL]).copied().collect();
+            assert_palette(SMALL, &part, &[ground, WHITE], &format!("rings of {thick}"));
+        }
+    }
+}

@@ -4,7 +4,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::support::colors::{BLUE, Paint, RED, WHITE, YELLOW, apart, disc, draw, palette};
-use expline::trace::Color;
+use expline::trace::{Census, Color, LayerTracer, Layers, TraceOptions, TracedLayer};
 
 const SIDE: usize = 96;
 const BLACK: Color = [0, 0, 0];
@@ -91,6 +91,47 @@ fn what_is_between_hues_that_pixels_share_is_no_colour() {
         let bytes = shapes(colors);
         assert_palette(&bytes, &colors, "as drawn");
         assert_palette(&shared(&bytes), &colors, "shared");
+    }
+}
+
+/// What is traced where the census says whether hues are shared.
+fn traced(bytes: &[u8], sharing: bool) -> Vec<TracedLayer> {
+    let mut census = Census::new(SIDE).expect("a few colours");
+    census.push_rgba_rows(bytes);
+    let palette = census.palette(8).expect("between 2 and 64");
+    let rows = Layers::begin(SIDE, SIDE, &palette).expect("a valid picture");
+    let mut rows = rows.sharing_hues(sharing && census.shares_hues());
+    rows.push_rgba_rows(bytes).expect("whole rows");
+    let mut tracer = LayerTracer::new(rows.finish().expect("all rows"), &TraceOptions::default());
+    while !tracer.step(4000.0).expect("a drawing") {}
+    tracer.layers().to_vec()
+}
+
+#[test]
+fn edges_are_where_light_changes_when_hues_are_shared() {
+    for colors in SETS {
+        let bytes = shapes(colors);
+        let away = |bytes: &[u8], sharing: bool| {
+            let layers = traced(bytes, sharing);
+            let layer = layers.iter().find(|layer| apart(layer.color, colors[1]) <= NEAR).expect("the disc");
+            let mut nearest = [f64::MAX; 2];
+            for contour in &layer.contours {
+                let pieces = contour.curve.segment_count();
+                let at =
+                    |k: usize| contour.curve.evaluate(k as f64 * pieces as f64 / 400.0, 0).expect("on it");
+                let far = |k: usize| ((at(k).x - 33.3).hypot(at(k).y - 36.1) - 21.7).abs();
+                let mean = (0..400).map(far).sum::<f64>() / 400.0;
+                if mean < nearest[0] {
+                    nearest = [mean, pieces as f64];
+                }
+            }
+            nearest
+        };
+        let shared = shared(&bytes);
+        let ([by_light, pieces], [by_all, _]) = (away(&shared, true), away(&shared, false));
+        // What is drawn by 64 samples a pixel is a hundredth of a pixel off, and bytes are rounded.
+        assert!(by_light < 0.015 && 1.3 * by_light < by_all, "{colors:?}: {by_light} px, {by_all} px");
+        assert_eq!(pieces, 2.0, "{colors:?}: a disc");
     }
 }
 

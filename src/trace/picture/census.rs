@@ -1,6 +1,6 @@
 //! A count of the pixels of a picture that show a colour.
 
-use super::compression::Squares;
+use super::compression::{Compression, Squares};
 use super::hues::{Edges, is_bled};
 use super::mixture::{Premultiplied, is_like, is_on_edge, squared};
 use super::palette::{Item, MOST_COLORS, palette_of};
@@ -149,12 +149,18 @@ impl Census {
         check("colors", None, most as f64, 2.0, MOST_COLORS as f64)?;
         self.push(&[]);
         self.push(&[]);
-        Ok(palette_of(&mut self.items()?, most, self.squares.are_there()))
+        let compression = Compression { squares: self.squares.are_there(), shared_hues: self.shares_hues() };
+        Ok(palette_of(&mut self.items()?, most, compression))
+    }
+
+    /// Whether pixels share their hues, several together, as compression (JPEG) makes them do.
+    pub fn shares_hues(&self) -> bool {
+        self.edges.are_wide()
     }
 
     /// Bins with something in them: by the pixels that show a colour or, where none is, by all of them.
     fn items(&self) -> Result<Vec<Item>> {
-        let is_wide = self.edges.are_wide();
+        let is_wide = self.shares_hues();
         let counts = |bin: &Bin| {
             if is_wide { (bin.weight - bin.bled, bin.flat - bin.bled_flat) } else { (bin.weight, bin.flat) }
         };

@@ -13,6 +13,13 @@ const MOST: u8 = 15;
 /// Fewer ends say nothing.
 const LEAST: u32 = 48;
 
+/// What tells that a picture was compressed: squares, or hues that pixels share.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Compression {
+    pub(super) squares: bool,
+    pub(super) shared_hues: bool,
+}
+
 /// How often what is even along a row ends in each column.
 #[derive(Clone, Debug)]
 pub(super) struct Squares {

@@ -13,8 +13,8 @@ const HUE_STEP: i32 = 3 * 48 * 48;
 const SHARP: i32 = 17;
 /// Beyond both sides by more of them is something thin between.
 const BEYOND: i32 = 1;
-/// Fewer edges say nothing of hues.
-const LEAST: usize = 16;
+/// Half as many wide edges say nothing of hues, if none is sharp.
+const LEAST: usize = 26;
 /// The least squared distance of two hues that have others between them,
 const STEP: i32 = 3 * 16 * 16;
 /// and that up to which a hue is one of these.
@@ -46,19 +46,22 @@ impl Edges {
             if along(3) - along(1) <= SHARP * step || (1..4).any(is_beyond) {
                 continue;
             }
-            let [from, before, after, to] = [0, 1, 3, 4].map(|k| hue(&pixel(k)));
-            let step = less(&to, &from);
+            let from = hue(&pixel(0));
+            let step = less(&hue(&pixel(ACROSS - 1)), &from);
             let whole = dot(&step, &step);
-            if whole >= HUE_STEP {
-                let is_sharp = 20 * dot(&less(&after, &before), &step) > SHARP * whole;
+            let along = |k: usize| 20 * dot(&less(&hue(&pixel(k)), &from), &step);
+            let is_beyond = |k: usize| !(-BEYOND * whole..=(20 + BEYOND) * whole).contains(&along(k));
+            if whole >= HUE_STEP && !(1..4).any(is_beyond) {
+                let is_sharp = along(3) - along(1) > SHARP * whole;
                 *(if is_sharp { &mut self.sharp } else { &mut self.wide }) += 1;
             }
         }
     }
 
-    /// Whether most edges of hues are wider than those of light.
+    /// Whether edges of hues are wider than those of light. Up to half of those of small pictures are not, where
+    /// something is as thin as they are wide.
     pub(super) fn are_wide(&self) -> bool {
-        self.wide >= LEAST && self.wide > 2 * self.sharp
+        2 * self.wide > self.sharp + LEAST
     }
 }
 
@@ -102,6 +105,12 @@ fn is_hue_between(pixel: &Premultiplied, from: &Premultiplied, to: &Premultiplie
     let whole = f64::from(whole);
     let share = f64::from(dot(&off, &step)) / whole;
     share > 0.05 && share < 0.95 && f64::from(dot(&off, &off)) - share * share * whole < BESIDE
+}
+
+/// A colour as its light, four times over, what red and blue are off it, and its opacity.
+pub(super) fn by_light(color: &Premultiplied) -> Premultiplied {
+    let light = light(color);
+    [4 * light, color[0] - light, color[2] - light, 4 * color[3]]
 }
 
 fn light(color: &[i32; 4]) -> i32 {

@@ -1,5 +1,6 @@
 //! The few colours of a picture: clusters of what was counted.
 
+use super::compression::Compression;
 use super::hues::{is_shared, is_wave};
 use super::mixture::{Premultiplied, is_between};
 use super::tint::{Tint, on_white, rounded};
@@ -78,16 +79,16 @@ struct Found {
 /// At most `most` colours, those of most pixels first. Every colour after the first is the one that most pixels are far
 /// from; then k-means \[Llo82\], in Oklab \[Ott20\], where distances are what eyes see. Where some of them turn out to
 /// be mixtures, there is room for pure ones that are nearer to others.
-pub(super) fn palette_of(items: &mut [Item], most: usize, is_compressed: bool) -> Vec<Tint> {
+pub(super) fn palette_of(items: &mut [Item], most: usize, compression: Compression) -> Vec<Tint> {
     let mut centers: Vec<[f64; 3]> = Vec::new();
     add_seeds(items, &mut centers, most, false);
-    let mut colors = colors_around(items, centers.clone(), is_compressed);
+    let mut colors = colors_around(items, centers.clone(), compression);
     let first = centers.len();
     if colors.len() < most {
         add_seeds(items, &mut centers, MOST_COLORS, true);
     }
     if centers.len() > first {
-        colors = colors_around(items, centers, is_compressed);
+        colors = colors_around(items, centers, compression);
         colors.truncate(most);
     }
     // Few of them: the heaviest first by insertion.
@@ -102,7 +103,7 @@ pub(super) fn palette_of(items: &mut [Item], most: usize, is_compressed: bool) -
 }
 
 /// The colours of the clusters that settle from those centres, in their order.
-fn colors_around(items: &mut [Item], mut centers: Vec<[f64; 3]>, is_compressed: bool) -> Vec<Found> {
+fn colors_around(items: &mut [Item], mut centers: Vec<[f64; 3]>, compression: Compression) -> Vec<Found> {
     for _ in 0..ROUNDS {
         settle(items, &mut centers);
     }
@@ -123,8 +124,8 @@ fn colors_around(items: &mut [Item], mut centers: Vec<[f64; 3]>, is_compressed: 
         }
     }
     leave_mixtures_out(&mut colors);
-    if is_compressed {
-        leave_waves_out(&mut colors);
+    if compression.squares || compression.shared_hues {
+        leave_waves_out(&mut colors, compression.squares);
     }
     colors
 }
@@ -210,8 +211,9 @@ fn leave_mixtures_out(colors: &mut Vec<Found>) {
 }
 
 /// Beside edges compression makes waves of each colour, and mixtures of their hues. What was drawn is even somewhere,
-/// or it is unlike all that there is more of.
-fn leave_waves_out(colors: &mut Vec<Found>) {
+/// or it is unlike all that there is more of. Where only hues tell of compression, there may be too few squares for
+/// that: what was drawn is alike somewhere then.
+fn leave_waves_out(colors: &mut Vec<Found>, has_squares: bool) {
     let mut k = 0;
     while k < colors.len() {
         let here = &colors[k];
@@ -223,7 +225,8 @@ fn leave_waves_out(colors: &mut Vec<Found>) {
         let is_made = |from: Premultiplied| {
             is_wave(&color, &from) || more().any(|to| is_shared(&color, &from, &to, ROUNDED))
         };
-        if here.is_uneven && more().any(is_made) {
+        let may_be_made = here.is_uneven && (has_squares || here.is_narrow);
+        if may_be_made && more().any(is_made) {
             colors.remove(k);
         } else {
             k += 1;

@@ -1,6 +1,7 @@
 //! What the pixels of edges are made of: two colours of the palette, by what lies around them.
 
 use super::rows::{KEPT, LayerRows, NONE, REACH};
+use crate::trace::picture::hues::by_light;
 use crate::trace::picture::mixture::{Mixture, Premultiplied, Seam, is_between, squared};
 
 /// Pixels around one, and itself.
@@ -12,6 +13,8 @@ const ROUNDED: f64 = 4.0 * 4.0;
 /// and up to which a pixel is taken for a seam of two, if it is so many times nearer to one.
 const SEAM: f64 = 4.0 * 4.0;
 const NEARER: f64 = 8.0;
+/// How much more than a hue the light of a mixture counts, squared, where hues are shared.
+const LIT: f64 = 16.0;
 /// How much less a difference in light counts than one in hue, where something is thin.
 const SHADE: f64 = 0.9;
 /// How much a colour counts that is farther away than what is seen of something thin.
@@ -35,11 +38,33 @@ impl LayerRows {
     pub(super) fn mixture(&self, row: usize, column: usize) -> (u8, u8, f64) {
         let mut room = [NONE; AROUND];
         let near = self.flat_around(row, column, &mut room);
+        if self.shares_hues
+            && let Some(mixed) = self.mixture_by_light(near, row, column)
+        {
+            return mixed;
+        }
         let mixed = self.mixture_of(near, row, column);
         match near {
             &[a, b] => self.seam(a, b, row, column, mixed).unwrap_or(mixed),
             _ => mixed,
         }
+    }
+
+    /// The mixture of two colours that lie flat nearby, unless its light is that of none. Where a hue is shared by
+    /// pixels, light alone tells where an edge is, and hue only which two it lies between.
+    fn mixture_by_light(&self, near: &[u8], row: usize, column: usize) -> Option<(u8, u8, f64)> {
+        let pixel = by_light(&self.window[row % KEPT].pixels[column]);
+        let (mut best, mut least) = (None, LIT * MIXED);
+        for (i, &a) in near.iter().enumerate() {
+            for &b in &near[i + 1..] {
+                let [from, to] = [a, b].map(|label| by_light(&self.layers.palette[usize::from(label)]));
+                let Mixture { share, gap, .. } = Mixture::new(&pixel, &from, &to);
+                if gap < least {
+                    (best, least) = (Some((a, b, share)), gap);
+                }
+            }
+        }
+        best
     }
 
     /// A seam of the only two colours that lie flat around a pixel, if that is clearly nearer than the mixture. What

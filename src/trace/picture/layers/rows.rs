@@ -42,11 +42,21 @@ pub struct LayerRows {
     /// Rows that were given.
     given: usize,
     pub(super) layers: Layers,
+    /// Whether pixels share hues.
+    pub(super) shares_hues: bool,
 }
 
 impl LayerRows {
     pub(super) fn new(height: usize, layers: Layers) -> Self {
-        Self { height, window: vec![Line::default(); KEPT], given: 0, layers }
+        Self { height, window: vec![Line::default(); KEPT], given: 0, layers, shares_hues: false }
+    }
+
+    /// Says whether pixels share their hues, as [`Census::shares_hues`](crate::trace::Census::shares_hues) tells: then
+    /// edges are where the light changes.
+    #[must_use]
+    pub fn sharing_hues(mut self, shared: bool) -> Self {
+        self.shares_hues = shared;
+        self
     }
 
     /// More rows, from red, green, blue and opacity, a byte each.
