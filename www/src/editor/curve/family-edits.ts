@@ -1,5 +1,5 @@
 import { replaceContour } from "../../document/curve/commands.ts";
-import { setOmega as setOmegaCommand } from "../../document/curve/frequency.ts";
+import { setOmega as setOmegaCommand } from "../../document/curve/frequency/frequency.ts";
 import { nothingSelected, segmentCount, type Contour, type CurveDocument, type Family, type Order, type PointRef } from "../../document/document.ts";
 import { finePlaceOf, rootsOf, supportOf } from "../../document/curve/roots.ts";
 import { inserted } from "../../kernel/curve/points/contours.ts";

@@ -1,4 +1,4 @@
-import { chosenSegments } from "../../document/curve/segments.ts";
+import { chosenSegments } from "../../document/curve/frequency/segments.ts";
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
 import { activeContours, setSpace } from "../../editor/curve/edits.ts";
 import { levelling, renewing } from "../../editor/curve/on-demand.ts";

@@ -1,4 +1,4 @@
-import { segmentCount, type Contour, type Selection } from "../document.ts";
+import { segmentCount, type Contour, type Selection } from "../../document.ts";
 
 /**
  * The segments of a contour that are chosen by their two ends. All of them where no two neighbours are chosen but some

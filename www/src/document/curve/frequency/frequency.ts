@@ -1,8 +1,8 @@
-import { omegaOf, segmentCount, type Contour, type CurveDocument, type Selection } from "../document.ts";
-import type { Command } from "./commands.ts";
-import { rootsOf } from "./roots.ts";
+import { omegaOf, segmentCount, type Contour, type CurveDocument, type Selection } from "../../document.ts";
+import type { Command } from "../commands.ts";
+import { rootsOf } from "../roots.ts";
 import { chosenSegments } from "./segments.ts";
-import { withPinnedOmega } from "./whole/rearranging.ts";
+import { withPinnedOmega } from "../whole/rearranging.ts";
 
 /**
  * Gives the chosen segments a frequency; what is not chosen keeps its own. With nothing chosen, or everything, it is
