@@ -25,6 +25,8 @@ for (const { name, viewport } of sizes) {
       const demo = await open(t, "#/curve?sample=heart", { viewport, colorScheme });
       await demo.page.evaluate(() => { document.querySelector<HTMLElement>('[data-testid="stage"]')?.focus(); });
       await demo.press("]");
+      // What takes time to measure is printed after all else.
+      await demo.page.waitForFunction(() => document.querySelector('[data-testid="m-length"]')?.textContent !== "");
       assertNone(await namesAndTargets(demo.page));
       assertNone(await lowContrast(demo.page));
       assert.ok((await overflow(demo.page)) <= 0);
