@@ -112,6 +112,35 @@ fn lengths_and_areas_are_those_of_dense_polygons() {
     }
 }
 
+/// How many chords within a tolerance a curve wants: a chord of parameter width h is h²/8·|r′ × r″|/|r′| away.
+fn chords_wanted(curve: &InterpolatingCurve, tolerance: f64) -> f64 {
+    const STEPS: u32 = 20_000;
+    let (start, end) = curve.domain();
+    let step = (end - start) / f64::from(STEPS);
+    let mut sum = 0.0;
+    for k in 0..STEPS {
+        let t = start + (f64::from(k) + 0.5) * step;
+        let [first, second] = [1, 2].map(|order| curve.evaluate(t, order).expect("a derivative"));
+        let turning = (first[0] * second[1] - first[1] * second[0]).abs();
+        sum += (turning / first[0].hypot(first[1])).sqrt();
+    }
+    sum * step / (8.0 * tolerance).sqrt()
+}
+
+#[test]
+fn polylines_have_hardly_more_points_than_the_bend_of_the_curve_wants() {
+    for roots in [None, Some(Roots::polynomials(3)), Some(Roots::polynomials(5)), Some(Roots::harmonics(8, 2))] {
+        let curve = wavy(roots.map(|list| list.expect("roots")));
+        for tolerance in [1e-2, 1e-4] {
+            let (polyline, _) = curve.flatten(tolerance).expect("a polyline");
+            // 2 % more, and one that is begun in each of two pieces between points.
+            let most = 1.02 * chords_wanted(&curve, tolerance) + 16.0;
+            let count = (polyline.len() / 2) as f64;
+            assert!(count <= most, "{count} of {most} within {tolerance}");
+        }
+    }
+}
+
 #[test]
 fn a_helix_has_its_length_curvature_and_nearest_points() {
     let pair = [0.0, 0.5, -0.5].map(|im| Root { re: 0.0, im });

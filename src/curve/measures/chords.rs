@@ -41,11 +41,12 @@ pub(super) fn cut(piece: &Piece, start: Point, tolerance: f64, out: &mut Vec<[f6
             return Ok(worst);
         }
         // Evenly is never quite even: a little more makes the next attempt the last.
-        let all = 1.02 * before[places.len() - 1] + out.len() as f64;
+        let wanted = 1.02 * before[places.len() - 1];
+        let all = wanted + out.len() as f64;
         if all > MOST_OUTPUT_POINTS as f64 {
             return Err(beyond(all as usize));
         }
-        let count = part_count(all - out.len() as f64);
+        let count = part_count(wanted);
         let mut next = filled(0.5, count + 1)?;
         next[0] = -0.5;
         spread(&places, &before, &mut next[1..count]);
