@@ -3,10 +3,9 @@
 // Told by contents, as the steps of the build are, and by everything in the tree but what is said to be unread: a
 // file that nobody thought of makes a check run once too often, never once too seldom.
 
-import { createHash } from "node:crypto";
 import { mkdirSync, readFileSync, realpathSync, statSync, writeFileSync } from "node:fs";
 
-import { StepError, at, root, run } from "./steps.mjs";
+import { StepError, at, fingerprint, root, run } from "./steps.mjs";
 
 const FOLDER = at("build", "passed");
 
@@ -29,22 +28,10 @@ function surroundings() {
   return JSON.stringify([process.version, process.arch, process.platform, browser, size, mtimeMs, told]);
 }
 
-/** A file's contents; a name that git still knows and that is gone, or is a link to nowhere, has none. */
-function contents(name) {
-  try {
-    return readFileSync(at(name));
-  } catch {
-    return "(none)";
-  }
-}
-
 /** One hash over all that a check may read; undefined when it can't be told. */
-async function fingerprint(unread) {
+async function readable(unread) {
   const files = await filesOfTree();
-  if (files === undefined) return undefined;
-  const hash = createHash("sha256").update(surroundings());
-  for (const name of files) if (!unread.test(name)) hash.update(`\0${name}\0`).update(contents(name));
-  return hash.digest("hex");
+  return files && fingerprint(files.filter((name) => !unread.test(name)).map((name) => at(name)), surroundings());
 }
 
 const NOTHING = /^$/;
@@ -55,7 +42,7 @@ const NOTHING = /^$/;
  */
 export async function passedOn(name, unread = NOTHING) {
   const file = `${FOLDER}/${name.replace(/[^\w-]+/g, "-")}.json`;
-  const now = await fingerprint(unread);
+  const now = await readable(unread);
   let known;
   try {
     known = JSON.parse(readFileSync(file, "utf8"));
@@ -65,7 +52,7 @@ export async function passedOn(name, unread = NOTHING) {
   return {
     earlier: now !== undefined && known.read === now ? known.result : undefined,
     async keep(result) {
-      if (now === undefined || (await fingerprint(unread)) !== now) return;
+      if (now === undefined || (await readable(unread)) !== now) return;
       mkdirSync(FOLDER, { recursive: true });
       writeFileSync(file, `${JSON.stringify({ read: now, result })}\n`);
     },

@@ -40,9 +40,19 @@ export function filesUnder(paths) {
   return found;
 }
 
-function fingerprint(inputs, salt) {
+/** What a file holds; one that is gone, or a link to nowhere, has none of it. */
+function contents(file) {
+  try {
+    return readFileSync(file);
+  } catch {
+    return "(none)";
+  }
+}
+
+/** One hash over the names and contents of files of the clone. */
+export function fingerprint(files, salt) {
   const hash = createHash("sha256").update(salt);
-  for (const file of filesUnder(inputs)) hash.update(`\0${file.slice(root.length)}\0`).update(readFileSync(file));
+  for (const file of files) hash.update(`\0${file.slice(root.length)}\0`).update(contents(file));
   return hash.digest("hex");
 }
 
@@ -56,7 +66,7 @@ export const seconds = (since) => `${((performance.now() - since) / 1000).toFixe
  */
 export async function step(name, { inputs, outputs = [], salt = "", alone = true } = {}, action) {
   const stamp = at("build", "stamps", `${name.replace(/[^\w-]+/g, "-")}.txt`);
-  const before = inputs && fingerprint(inputs, salt);
+  const before = inputs && fingerprint(filesUnder(inputs), salt);
   if (before && existsSync(stamp) && readFileSync(stamp, "utf8") === before && outputs.every((o) => existsSync(at(o)))) {
     console.log(`• ${name} … unchanged`);
     return undefined;
