@@ -129,8 +129,8 @@ fn chords_wanted(curve: &InterpolatingCurve, tolerance: f64) -> f64 {
 
 #[test]
 fn polylines_have_hardly_more_points_than_the_bend_of_the_curve_wants() {
-    for roots in [None, Some(Roots::polynomials(3)), Some(Roots::polynomials(5)), Some(Roots::harmonics(8, 2))] {
-        let curve = wavy(roots.map(|list| list.expect("roots")));
+    for roots in [Roots::ellipse(8), Roots::polynomials(3), Roots::polynomials(5), Roots::harmonics(8, 2)] {
+        let curve = wavy(Some(roots.expect("roots")));
         for tolerance in [1e-2, 1e-4] {
             let (polyline, _) = curve.flatten(tolerance).expect("a polyline");
             // 2 % more, and one that is begun in each of two pieces between points.
