@@ -43,3 +43,20 @@ test("segments of several frequencies are shown as Mixed, which changes nothing,
   assert.deepEqual(await frequencies(), own);
   assert.equal(await omega.inputValue(), "Mixed");
 });
+
+test("a number that is taken by a press elsewhere is for what was selected when it was typed", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  const { omega: before } = (await demo.state()).curve;
+  await demo.click("pt-0-2");
+  await demo.page.keyboard.down("Shift");
+  await demo.click("pt-0-3");
+  await demo.page.keyboard.up("Shift");
+  await demo.byId("omega").fill("1.5");
+  const stage = await demo.byId("stage").boundingBox();
+  assert.ok(stage !== null);
+  await demo.page.mouse.click(stage.x + stage.width - 40, stage.y + 40);
+  await demo.idle();
+  const { curve } = await demo.state();
+  assert.equal(curve.omega, before, "that of the drawing");
+  assert.deepEqual(curve.contours[0]?.omega?.map((own) => own === 1.5), [false, false, true, false, false, false, false, false]);
+});

@@ -97,7 +97,7 @@ for (const [what, setting] of [
     // The frequency that is set for the drawing is that of every contour.
     setFamily(hand.editor, "interpolating");
     setSpace(hand.editor, "trigonometric");
-    setOmega(hand.editor, 0.4);
+    setOmega(hand.editor, hand.editor.state.value.selection, 0.4);
     assert.equal(rootsOf(hand.curve, contourOf(hand))[1]?.im, 0.4);
   });
 }

@@ -56,7 +56,7 @@ test("the program makes curves with what was changed of them: space, frequency, 
   const worked: Readonly<Record<string, (hand: Hand) => unknown>> = {
     hyperbolic: ({ editor }) => setSpace(editor, "hyperbolic"),
     polynomial: ({ editor }) => setSpace(editor, "polynomial"),
-    frequency: ({ editor }) => setOmega(editor, 1.25),
+    frequency: ({ editor }) => setOmega(editor, editor.state.value.selection, 1.25),
     level: ({ editor }) => setLevel(editor, 2),
     inserted: ({ editor }) => insertAt(editor, 0, 0.37),
     "level, then inserted": ({ editor }) => { setLevel(editor, 1); insertAt(editor, 0, 0.2); },

@@ -1,6 +1,6 @@
 import { replaceContour } from "../../document/curve/commands.ts";
 import { setOmega as setOmegaCommand } from "../../document/curve/frequency/frequency.ts";
-import { nothingSelected, segmentCount, type Contour, type CurveDocument, type Family, type Order, type PointRef } from "../../document/document.ts";
+import { nothingSelected, segmentCount, type Contour, type CurveDocument, type Family, type Order, type PointRef, type Selection } from "../../document/document.ts";
 import { finePlaceOf, rootsOf, supportOf } from "../../document/curve/roots.ts";
 import { inserted } from "../../kernel/curve/points/contours.ts";
 import { refinedAround } from "../../kernel/curve/fine-places.ts";
@@ -99,7 +99,7 @@ export function refineCurveHere(editor: Editor): void {
   say(editor, `Added ${touched.length === 1 ? "1 point" : `${touched.length} points`}. The curve did not move.`);
 }
 
-/** The frequency of what is chosen; with nothing chosen, of the drawing. */
-export function setOmega(editor: Editor, omega: number | "auto", run?: string): void {
-  editor.dispatch(setOmegaCommand(editor.state.value.selection, omega, run));
+/** The frequency of what was chosen; with nothing chosen, of the drawing. */
+export function setOmega(editor: Editor, selection: Selection, omega: number | "auto", run?: string): void {
+  editor.dispatch(setOmegaCommand(selection, omega, run));
 }

@@ -36,7 +36,7 @@ export function familyRow(editor: Editor): Row {
   const family = choiceField({
     label: "Family",
     testid: "family",
-    about: "How points define the curve. Switching keeps the points and tells you how far the curve moves.",
+    about: "How points define the curve. Switching keeps them and says how far the curve moves.",
     options: [
       { value: "hermite", label: "Hermite", about: "Points with handles: each segment depends on its two ends." },
       { value: "interpolating", label: "Interpolating", about: "Points on the curve, without handles: smooth throughout, and each acts only nearby." },
@@ -63,7 +63,7 @@ export function spaceRow(editor: Editor): Row {
   const space = selectField({
     label: "Space",
     testid: "space",
-    about: "The functions segments are made of, which decides the shapes that are exact.",
+    about: "What segments are made of, and so which shapes are exact.",
     options: spaces,
     write: (value) => setSpace(editor, value),
     reset: () => setSpace(editor, "trigonometric"),
@@ -104,7 +104,11 @@ export function orderRow(editor: Editor): Row {
 }
 
 export function frequencyRow(editor: Editor): Row {
-  const write = (value: number | "auto", run?: string): void => editFamily(editor, ({ setOmega }) => setOmega(editor, value, run));
+  const write = (value: number | "auto", run?: string): void => {
+    // The press that takes the value may choose something else, before what sets it has come.
+    const { selection } = editor.state.value;
+    editFamily(editor, ({ setOmega }) => setOmega(editor, selection, value, run));
+  };
   const omega = numberField({
     label: "Frequency",
     testid: "omega",
@@ -122,7 +126,7 @@ export function frequencyRow(editor: Editor): Row {
     class: "small-button",
     type: "button",
     testid: "omega-auto",
-    title: "Derive the frequency from the number of points, so circles stay exact.",
+    title: "From the number of points: circles stay exact.",
     click: () => write("auto"),
   }, "Auto");
   omega.element.querySelector(".number-box")?.after(auto);
@@ -165,7 +169,7 @@ export function pointsRow(editor: Editor): Row {
   const points = numberField({
     label: "Points",
     testid: "points",
-    about: "Number of points. Changing it resamples the contour at equal parameters.",
+    about: "Changing it resamples the contour at equal parameters.",
     least: 2,
     most: 256,
     step: 1,
